@@ -144,7 +144,7 @@ Found steady(const Patch& patch, bool timed, bool stability) {
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
                 const study::Results<Found>& emit) {
     // One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::FrequencySweep<double> sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
+    const rollbem::FrequencySweep sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -158,8 +158,8 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-rollbem::StateSpace<double> equations_of(const Patch& patch) {
-    rollbem::StateSpace<double> space =
+rollbem::StateSpace equations_of(const Patch& patch) {
+    rollbem::StateSpace space =
         rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
     // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
     const double force = patch.contact.a_over_b(), length = std::sqrt(force);

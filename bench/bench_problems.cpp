@@ -18,7 +18,7 @@ namespace {
 
 using namespace rollbem;
 
-const Contact<double> contact = Contact<double>::dimensionless(1000, 0.25);
+const Contact contact = Contact::dimensionless(1000, 0.25);
 const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
 constexpr Collocation of_paper{.alpha_L = 0, .alpha_T = 0.63};
@@ -104,12 +104,12 @@ BENCHMARK(BM_SweepLU)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200)
 void BM_SweepHessenberg(benchmark::State& state) {
     const RollingSystem<double> system = system_of_paper(state.range(0));
     for (auto _ : state) {
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         std::complex<double> sum = 0;
         for (const double z : frequencies()) sum += sweep(z).c11();
         benchmark::DoNotOptimize(sum);
     }
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     state.counters["relative_error"] = sweep_error([&](double z) { return sweep(z).c11(); });
     finish(state);
 }

@@ -75,7 +75,7 @@ Rolling make_rolling(const Scenario& scenario, const study::Scene& scene) {
         };
     }
     rolling.load_at = [&run, hertz = hertz_load(run, *scene.mesh)](double q) {
-        rollbem::NormalLoad<double> normal = hertz.at(hertz.breathes() ? mu_N : 0);
+        rollbem::NormalLoad normal = hertz.at(hertz.breathes() ? mu_N : 0);
         hertz.set(run.load_ratio(q) * mu_N, normal);  // a step refuses what is no load
         return normal;
     };

@@ -20,7 +20,7 @@
 namespace paper {
 
 study::Scene scene_of(const Case& c, rollbem::LineModel model) {
-    return study::make_scene(c, c.n, rollbem::Contact<double>::dimensionless(aspect, poisson_ratio), model);
+    return study::make_scene(c, c.n, rollbem::Contact::dimensionless(aspect, poisson_ratio), model);
 }
 
 rollbem::ElementSystem<double> system_of(const Case& c) {
@@ -70,15 +70,15 @@ Tractions tractions(const Case& c) {
 
 Eigen::Index unstable_count(const Case& c) {
     const rollbem::ElementSystem<double> system = system_of(c);
-    const rollbem::UnstableCount<double> fast = rollbem::count_unstable<double>(system);
+    const rollbem::UnstableCount fast = rollbem::count_unstable(system);
     if (fast.status == rollbem::Status::ok) return fast.unstable_count;
-    const rollbem::StabilityResult<double> slow = rollbem::solve_stability<double>(system);
+    const rollbem::StabilityResult slow = rollbem::solve_stability(system);
     if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
     return slow.unstable_count;
 }
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
-    const rollbem::FrequencySweep<double> sweep(system_of(c));
+    const rollbem::FrequencySweep sweep(system_of(c));
     std::vector<HarmonicResponse> result;
     for (const double frequency : z) {
         const rollbem::Response<std::complex<double>> point = sweep(frequency);

@@ -89,7 +89,7 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
 }
 
 double largest_slip(const Patch& patch, const CreepPoint& point, const rollbem::Elements<double>& elements) {
-    const rollbem::Creepage<double> motion = creepage(patch, point);
+    const rollbem::Creepage motion = creepage(patch, point);
     const double spin = motion.spin * patch.contact.half_length();
     const double largest =
         ((motion.longitudinal - spin * elements.y).square() + (motion.lateral + spin * elements.x).square())

@@ -17,7 +17,7 @@ namespace patch {
 
 namespace {
 
-using PatchContact = rollbem::PatchContact<double>;
+using PatchContact = rollbem::PatchContact;
 using friction::Rolling;
 
 // --- contacts ------------------------------------------------------------------------------------------------------
@@ -81,14 +81,14 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     if (scene.run.breathing) {
         rolling.load_at = [&patch, &scene, pressures](double q) {
             const AxisRatios axes = scene.axes(q);
-            return rollbem::NormalLoad<double>{scene.run.load_ratio(q) / (axes.a * axes.b) * pressures,
-                                               axes.a * patch.contact.half_length(),
-                                               {},
-                                               axes.b * patch.contact.half_width()};
+            return rollbem::NormalLoad{scene.run.load_ratio(q) / (axes.a * axes.b) * pressures,
+                                       axes.a * patch.contact.half_length(),
+                                       {},
+                                       axes.b * patch.contact.half_width()};
         };
         return rolling;
     }
-    const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
+    const rollbem::SemiAxes least = rollbem::least_resolved(covered.contact, covered.mesh);
     rolling.fits = [&scene, &patch, least](double q) {
         if (scene.run.load_ratio(q) == 0) return true;
         const PatchContact now = stretched(patch.contact, scene.axes(q));
@@ -96,7 +96,7 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     };
     rolling.load_at = [&patch, &scene, contact = covered.contact,
                        elements = covered.mesh.rectangles(covered.contact.half_length())](double q) {
-        rollbem::NormalLoad<double> normal{
+        rollbem::NormalLoad normal{
             Eigen::ArrayXd::Zero(Eigen::Index(elements.size())), contact.half_length(), {}, contact.half_width()};
         const double ratio = scene.run.load_ratio(q);
         if (ratio == 0) return normal;

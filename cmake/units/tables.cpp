@@ -6,8 +6,8 @@
 #include <rollbem/vehicle/impl/reduced_friction.ipp>
 
 namespace rollbem {
-template TangentialForce<double> CreepForceTable::force<double>(const PatchContact<double>::Parameters&, double, double,
-                                                                const Creepage<double>&) const noexcept;
-template TangentialForce<double> CreepForceTable::force<float>(const PatchContact<double>::Parameters&, double, double,
-                                                               const Creepage<double>&) const noexcept;
+template TangentialForce CreepForceTable::force<double>(const PatchContact::Parameters&, double, double,
+                                                        const Creepage&) const noexcept;
+template TangentialForce CreepForceTable::force<float>(const PatchContact::Parameters&, double, double,
+                                                       const Creepage&) const noexcept;
 }  // namespace rollbem

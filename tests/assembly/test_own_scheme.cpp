@@ -41,7 +41,7 @@ struct OneWidthAhead {
 };
 static_assert(RollingScheme<TwoPoints> && RollingScheme<TwoPoints, float> && RollingScheme<TwoPoints, long double>);
 
-const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+const Contact contact = Contact::dimensionless(100, 0.28);
 const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 const TwoPoints stable{0.5, 0.5, 0.125}, unstable{0, 1, 0.15};
 

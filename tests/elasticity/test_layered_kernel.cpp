@@ -152,7 +152,7 @@ TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]")
 
 TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const double nu = 0.28, mu_p0 = 1e-3;
-    const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
+    const Contact contact = Contact::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
         const FrictionModel model(
@@ -214,7 +214,7 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     CHECK(refusal([&] {
               rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>(0.1, 0.75, 0.25), 5));
           }).find("Lambda") != std::string::npos);
-    const Contact<double> other = Contact<double>::dimensionless(50, 0.25);
+    const Contact other = Contact::dimensionless(50, 0.25);
     CHECK(refusal([&] {
               AdhesionModel<>(other, rolling_system(mesh, halves, layered), unchecked);
           }).find("b/a of the kernel over b/a of the contact") != std::string::npos);

@@ -71,7 +71,7 @@ wrong() {
 row() {
     first=$(($(wc -l < "$folder/unit.cpp") + 1))
     for values in "$@"; do
-        printf '    { constexpr detail::StageTable<double> row(%s); (void)row; }\n' "$values" >> "$folder/unit.cpp"
+        printf '    { constexpr detail::StageTable row(%s); (void)row; }\n' "$values" >> "$folder/unit.cpp"
     done
 }
 row 1,1 2,0.5 2,0.29289321881345254

@@ -256,7 +256,7 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         ++drawn;
         const auto system = system_of<RollingSystem<double>>(scene);
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         const double z = scenes.logarithmic(1e-12, 1e6);
         const Response<std::complex<double>> up = sweep(z), down = sweep(-z);
         if (up.status != down.status) CHECK(up.status == down.status);
@@ -286,7 +286,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         ++drawn;
         using Model = AdhesionModel<>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
-        const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
+        const Contact contact = Contact::dimensionless(scene.aspect, scene.poisson_ratio);
         const auto system = system_of<ElementSystem<double>>(scene);
         const Response<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const Matrix lengths = dense::solve(system.G_prime(), system.G());

@@ -4,7 +4,6 @@
 #include "../detail/language.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace rollbem {
 
@@ -18,10 +17,10 @@ namespace rollbem {
 ///     });
 ///
 /// d force / dV at constant slip velocities is this times the duration of the step.
-template <class Scalar, class Step>
-auto tangent_by_distance(Scalar dq, std::type_identity_t<Scalar> a, const Step& force_at) {
-    const Scalar change = Scalar(1e-5) * (std::max)(dq, a);
-    const Scalar weight = 1 / (2 * change);
+template <class Step>
+auto tangent_by_distance(double dq, double a, const Step& force_at) {
+    const double change = 1e-5 * (std::max)(dq, a);
+    const double weight = 1 / (2 * change);
     if (dq >= change) return weight * force_at(dq + change) + -weight * force_at(dq - change);
     return 4 * weight * force_at(dq + change) + -3 * weight * force_at(dq) + -weight * force_at(dq + 2 * change);
 }

@@ -25,9 +25,8 @@ struct RecommendedPatch {
     double error_bound = 0;   ///< bound of the errors of |F_x| and |F_y| over mu N, at most the required tolerance
     double moment_bound = 0;  ///< bound of the error of |M_z| over mu N c, c = sqrt(a b)
 
-    template <class Scalar>
-    PatchMesh<Scalar> mesh(const PatchContact<Scalar>& contact) const {
-        return patch_mesh(contact, cosine_mesh<Scalar>(n), uniform_mesh<Scalar>(strips));
+    PatchMesh<double> mesh(const PatchContact& contact) const {
+        return patch_mesh(contact, cosine_mesh<double>(n), uniform_mesh<double>(strips));
     }
 };
 

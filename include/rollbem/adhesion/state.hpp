@@ -11,26 +11,22 @@ namespace rollbem {
 
 /// Everything that the next step needs to know about the past. A copy is a checkpoint; a state written to a file and
 /// read back continues identically to the last bit.
-template <class Scalar_ = double>
 struct AdhesionState {
-    using Scalar = Scalar_;
-
-    VectorX<Scalar> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
+    VectorX<double> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
-    Scalar half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
+    double half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
     /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and changes
     /// results by round-off only.
-    Scalar distance = 0;
-    Scalar half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
+    double distance = 0;
+    double half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
 };
 
 /// Result of a step or of steady rolling. NaN unless the status is ok. With one direction forces and their derivatives
 /// are numbers, with two TangentialForce and CreepageTangent.
-template <int directions = 1, class Scalar_ = double>
+template <int directions = 1>
 struct AdhesionStep {
-    using Scalar = Scalar_;
-    using Force = detail::ForceAlong<directions, Scalar>;
-    using Tangent = detail::TangentAlong<directions, Scalar>;
+    using Force = detail::ForceAlong<directions>;
+    using Tangent = detail::TangentAlong<directions>;
 
     Force force = detail::nothing<Force>();            ///< 2b F_bar on body 1 [N]
     Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch

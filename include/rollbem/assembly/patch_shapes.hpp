@@ -81,17 +81,18 @@ ElementSystem<Scalar, 2> system_of(std::shared_ptr<const ShapeSet<Scalar>> set, 
 /// the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument unless the scheme takes
 /// differences of u and fits the strips' mesh, and all entries are finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+ElementSystem<Scalar, 2> breathing_system(const PatchContact& contact, const PatchMesh<Scalar>& mesh,
                                           const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = patch_elements(mesh, scheme);
     auto set = std::make_shared<detail::ShapeSet<Scalar>>();
-    set->nodes.push_back(
-        detail::shape_node(mesh, scheme, kernel, contact.c() / contact.half_length(), detail::has_wide_strips(mesh)));
-    set->first = std::log(contact.a_over_b());
+    set->nodes.push_back(detail::shape_node(
+        mesh, scheme, kernel, static_cast<Scalar>(contact.c() / contact.half_length()), detail::has_wide_strips(mesh)));
+    const auto a_over_b = static_cast<Scalar>(contact.a_over_b());
+    set->first = std::log(a_over_b);
     set->zeta = elements.x;
-    set->upsilon = elements.y * contact.a_over_b();
+    set->upsilon = elements.y * a_over_b;
     set->coupled = kernel.couples();
-    return detail::system_of<Scalar>(std::move(set), std::move(elements), contact.a_over_b());
+    return detail::system_of<Scalar>(std::move(set), std::move(elements), a_over_b);
 }
 
 /// Ellipses of every a/b in a range, for steps in which an ellipse changes its size and its shape, and for steady

@@ -32,17 +32,15 @@ extern template decltype(detail::judge<std::complex<double>, double>) detail::ju
 extern template decltype(detail::solve_copied<std::complex<double>, double>)
     detail::solve_copied<std::complex<double>, double>;
 extern template decltype(solve_response<double>) solve_response<double>;
-extern template class FrequencySweep<double>;
-extern template StateSpace<double> state_space<double>(const RollingSystem<double>&);
 extern template double detail::stable_plane_lambda<double>(const char*, double, double);
 extern template VectorX<double> detail::steady_tractions<double>(MatrixX<double>, Eigen::Index, Eigen::Index);
 extern template void detail::require_convergent<double, ArrayX<double>>(const char*, const VectorX<double>&,
                                                                         const ArrayX<double>&, double);
 extern template void detail::require_usable_in_time<double>(const char*, const RollingSystem<double>&,
                                                             const StabilityVerdict&);
-extern template class detail::StepMap<1, double>;
-extern template class detail::StepMap<2, double>;
-extern template class AdhesionModel<1, double>;
-extern template class AdhesionModel<2, double>;
+extern template class detail::StepMap<1>;
+extern template class detail::StepMap<2>;
+extern template class AdhesionModel<1>;
+extern template class AdhesionModel<2>;
 
 }  // namespace rollbem

@@ -11,10 +11,8 @@
 
 namespace rollbem {
 
-extern template class Outline<double>;
-extern template class PatchContact<double>;
 extern template class PatchMesh<double>;
-extern template PatchMesh<double> patch_mesh<double>(const PatchContact<double>&, Mesh<double>, const Mesh<double>&);
+extern template PatchMesh<double> patch_mesh<double>(const PatchContact&, Mesh<double>, const Mesh<double>&);
 extern template PatchMesh<double> ellipse_mesh<double>(double, Mesh<double>, const Mesh<double>&);
 extern template Elements<double> patch_elements<double, NodeDifference>(const PatchMesh<double>&,
                                                                         const NodeDifference&);
@@ -29,13 +27,13 @@ extern template std::vector<RollingSystem<double>> patch_subsystems<double, Node
 extern template detail::ShapeNode<double> detail::shape_node<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double, bool);
 extern template ElementSystem<double, 2> breathing_system<double, NodeDifference, HalfSpace<double>>(
-    const PatchContact<double>&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+    const PatchContact&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> detail::system_of<double>(std::shared_ptr<const detail::ShapeSet<double>>,
                                                                    Elements<double>, double);
 extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchMesh<double>&,
                                                                                          const NodeDifference&,
                                                                                          const HalfSpace<double>&);
-extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchContact<double>&,
+extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchContact&,
                                                                                          const PatchMesh<double>&,
                                                                                          const NodeDifference&,
                                                                                          const HalfSpace<double>&);

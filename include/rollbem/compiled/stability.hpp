@@ -15,12 +15,4 @@ extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const Eige
 
 }  // namespace Eigen
 
-namespace rollbem {
-
-extern template BalancedReduction<double> balanced_reduction<double>(const StateSpace<double>&, Eigen::Index);
-extern template bool detail::all_decay<double>(const RollingSystem<double>&, double, double, double);
-extern template StabilityResult<double> detail::find_eigenvalues<double>(const RollingSystem<double>&, bool);
-extern template double condition_number<double>(const MatrixX<double>&);
-extern template UnstableCount<double> count_unstable<double>(const RollingSystem<double>&);
-
-}  // namespace rollbem
+namespace rollbem {}  // namespace rollbem

@@ -27,10 +27,10 @@ public:
           plane_(half_width, c1, c2),
           strip_(half_width, c1, c2) {}
 
-    static AnyKernel longitudinal(LineModel model, const Contact<Scalar>& contact) {
+    static AnyKernel longitudinal(LineModel model, const Contact& contact) {
         return detail::longitudinal_kernel<AnyKernel>(contact, model);
     }
-    static AnyKernel lateral(LineModel model, const Contact<Scalar>& contact) {
+    static AnyKernel lateral(LineModel model, const Contact& contact) {
         return detail::lateral_kernel<AnyKernel>(contact, model);
     }
 

@@ -29,10 +29,10 @@ public:
         detail::check_line_kernel("PlaneKernel", half_width, c1, c2);
     }
 
-    static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
+    static PlaneKernel longitudinal(const Contact& contact) {
         return detail::longitudinal_kernel<PlaneKernel>(contact);
     }
-    static PlaneKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<PlaneKernel>(contact); }
+    static PlaneKernel lateral(const Contact& contact) { return detail::lateral_kernel<PlaneKernel>(contact); }
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 

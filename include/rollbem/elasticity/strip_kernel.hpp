@@ -24,10 +24,10 @@ public:
         detail::check_line_kernel("StripKernel", half_width, c1, c2);
     }
 
-    static StripKernel longitudinal(const Contact<Scalar>& contact) {
+    static StripKernel longitudinal(const Contact& contact) {
         return detail::longitudinal_kernel<StripKernel>(contact);
     }
-    static StripKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<StripKernel>(contact); }
+    static StripKernel lateral(const Contact& contact) { return detail::lateral_kernel<StripKernel>(contact); }
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 

@@ -39,7 +39,7 @@ struct RailPatch {
     Eigen::ArrayXd rail_n, wheel_n;
     /// dn/ds of the rail's surface in each row of cells (ny) [-]. Pressures act along its normals (0, -dn/ds, 1).
     Eigen::ArrayXd rail_slope;
-    std::optional<Outline<double>> outline;
+    std::optional<Outline> outline;
     bool has_numbers() const { return rollbem::has_numbers(status); }
 
     /// A vector given in the plane's axes, in track axes, and the place (x, s, n).

@@ -43,37 +43,33 @@ void a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_
 /// - every slip counts with a positive weight;
 /// - loads and lengths are never extrapolated;
 /// - e^w becomes 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2, which are L-stable.
-template <class Scalar>
 class StageTable {
 public:
-    consteval StageTable(int count, Scalar part) : count_(count), part_(part) {
-        const bool possible =
-            count == 1 ? part == 1 : count == 2 && part >= 1 - std::numbers::sqrt2_v<Scalar> / 2 && part < 1;
+    consteval StageTable(int count, double part) : count_(count), part_(part) {
+        const bool possible = count == 1 ? part == 1 : count == 2 && part >= 1 - std::numbers::sqrt2 / 2 && part < 1;
         if (!possible) {
             a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
         }
     }
 
     int count() const { return count_; }
-    Scalar part() const { return part_; }
+    double part() const { return part_; }
     /// The place of a stage, counted from 1.
-    StagePlace<Scalar> place(int stage) const { return {part_, stage == count_ ? Scalar(1) : part_, stage == 2}; }
+    StagePlace place(int stage) const { return {part_, stage == count_ ? 1.0 : part_, stage == 2}; }
 
 private:
     int count_;
-    Scalar part_;
+    double part_;
 };
 
 /// One stage of the whole step.
-template <class Scalar>
-inline constexpr StageTable<Scalar> single_stage(1, 1);
+inline constexpr StageTable single_stage(1, 1);
 
 /// The stages of an integrator; empty for matrix_exponential, which has none.
-template <class Scalar>
-std::optional<StageTable<Scalar>> stage_table(Integrator integrator) {
+inline std::optional<StageTable> stage_table(Integrator integrator) {
     switch (integrator) {
-        case Integrator::implicit_euler: return single_stage<Scalar>;
-        case Integrator::sdirk2: return StageTable<Scalar>(2, 1 - std::numbers::sqrt2_v<Scalar> / 2);
+        case Integrator::implicit_euler: return single_stage;
+        case Integrator::sdirk2: return StageTable(2, 1 - std::numbers::sqrt2 / 2);
         case Integrator::matrix_exponential: break;
     }
     return std::nullopt;

@@ -34,13 +34,13 @@ private:
 /// Steady rolling takes the motion at the end of such a step, its load, and its speed if friction depends on slip:
 ///
 ///     model.steady(now, {.motion = creepage}, next, workspace);
-///     model.steady(now, {Travel<>::at_speed(V), creepage, load}, next, workspace);
+///     model.steady(now, {Travel::at_speed(V), creepage, load}, next, workspace);
 template <class Motion_, class Load_>
 struct RollingStep {
     using Motion = Motion_;
     using Load = Load_;
 
-    Travel<typename Motion::Scalar> travel{};
+    Travel travel{};
     Motion motion;
     Load load{};
 };

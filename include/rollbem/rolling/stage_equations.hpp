@@ -22,59 +22,37 @@ namespace rollbem::detail {
 /// The number of columns of the unknowns.
 template <class System>
 inline constexpr int columns_of = 1;
-template <class Scalar>
-inline constexpr int columns_of<ElementSystem<Scalar, 2>> = 2;
+template <>
+inline constexpr int columns_of<ElementSystem<double, 2>> = 2;
 
 /// G' from tractions along direction e to slip along direction d.
-template <class Scalar>
-const MatrixX<Scalar>& slope(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
+inline const MatrixX<double>& slope(const RollingSystem<double>& system, std::size_t, std::size_t) {
     return system.G_prime();
 }
-template <class Scalar>
-const MatrixX<Scalar>& slope(const ElementSystem<Scalar, 2>& system, std::size_t d, std::size_t e) {
+inline const MatrixX<double>& slope(const ElementSystem<double, 2>& system, std::size_t d, std::size_t e) {
     return system.G_prime(d, e);
 }
 /// Whether tractions along one direction cause slip along the other.
-template <class Scalar>
-bool is_coupled(const RollingSystem<Scalar>&) {
-    return false;
-}
-template <class Scalar>
-bool is_coupled(const ElementSystem<Scalar, 2>& system) {
-    return system.coupled();
-}
+inline bool is_coupled(const RollingSystem<double>&) { return false; }
+inline bool is_coupled(const ElementSystem<double, 2>& system) { return system.coupled(); }
 
 /// The rigid slip in each equation per creepage, and the forces per unknown; a moment is NaN where places are not
 /// known.
-template <class Scalar>
-const MatrixX<Scalar>& inputs(const RollingSystem<Scalar>& system) {
-    return system.inputs();
-}
-template <class Scalar>
-MatrixX<Scalar> inputs(const ElementSystem<Scalar, 2>& system) {
-    return rigid_slip(system.elements());
-}
-template <class Scalar>
-const MatrixX<Scalar>& outputs(const RollingSystem<Scalar>& system) {
-    return system.outputs();
-}
-template <class Scalar>
-MatrixX<Scalar> outputs(const ElementSystem<Scalar, 2>& system) {
-    MatrixX<Scalar> weights = force_weights(system.elements());
-    if (!system.elements().places_are_known()) weights.col(2).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+inline const MatrixX<double>& inputs(const RollingSystem<double>& system) { return system.inputs(); }
+inline MatrixX<double> inputs(const ElementSystem<double, 2>& system) { return rigid_slip(system.elements()); }
+inline const MatrixX<double>& outputs(const RollingSystem<double>& system) { return system.outputs(); }
+inline MatrixX<double> outputs(const ElementSystem<double, 2>& system) {
+    MatrixX<double> weights = force_weights(system.elements());
+    if (!system.elements().places_are_known()) weights.col(2).setConstant(std::numeric_limits<double>::quiet_NaN());
     return weights;
 }
 
 /// The block from tractions along direction e to direction d.
-template <class Scalar>
-Influence<Scalar> influence(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
-    return influence(system);
-}
-template <class Scalar>
-Influence<Scalar> influence(const ElementSystem<Scalar, 2>& system, std::size_t d, std::size_t e) {
-    const Elements<Scalar>& elements = system.elements();
+inline Influence influence(const RollingSystem<double>& system, std::size_t, std::size_t) { return influence(system); }
+inline Influence influence(const ElementSystem<double, 2>& system, std::size_t d, std::size_t e) {
+    const Elements<double>& elements = system.elements();
     return {system.G(d, e), system.G_prime(d, e), array_map(elements.areas), array_map(elements.x),
-            system.log_strength(d).value_or(Scalar(0))};
+            system.log_strength(d).value_or(0.0)};
 }
 
 /// The equations of a stage where the length alone may vary, as in LengthScale. They refer to the system.
@@ -86,8 +64,7 @@ Influence<Scalar> influence(const ElementSystem<Scalar, 2>& system, std::size_t 
 template <class System>
 class LineEquations {
 public:
-    using Scalar = typename System::Scalar;
-    using Stage = RollingStage<Scalar>;
+    using Stage = RollingStage;
     static constexpr int columns = columns_of<System>;
 
     LineEquations(const System& system, const Stage& present) : stage(present), system_(system) {}
@@ -107,7 +84,7 @@ public:
     }
     template <class Tractions, class Result>
     void find_displacements(const Tractions& p, Result&& U) const {
-        find_scaled(LengthScale<Scalar>::at(stage.half_length), p, U);
+        find_scaled(LengthScale::at(stage.half_length), p, U);
         if constexpr (columns == 2) {
             if (!system_.coupled()) return;
             for (Eigen::Index d = 0; d < 2; ++d) {
@@ -118,18 +95,18 @@ public:
     }
     /// Input of find_growth from the start of the step.
     template <class Tractions, class Result>
-    void find_start(const SemiAxes<Scalar>&, const Tractions& old, Result&& start) const {
+    void find_start(const SemiAxes&, const Tractions& old, Result&& start) const {
         start.noalias() = system_.G() * old;
     }
     /// The change of U since the start of the step at constant unknowns, in one direction.
     template <class Tractions, class Start, class Result>
-    void find_growth(const SemiAxes<Scalar>& from, const Tractions& old, const Start& start, Result&& growth) const {
+    void find_growth(const SemiAxes& from, const Tractions& old, const Start& start, Result&& growth) const {
         growth = start;
-        along(0, 0).rescale(LengthScale<Scalar>::growth(from.half_length, stage.half_length), old.col(0), growth);
+        along(0, 0).rescale(LengthScale::growth(from.half_length, stage.half_length), old.col(0), growth);
     }
     template <class Tractions, class Scratch, class Result>
     void add_travel(const Tractions& p, Scratch&& scratch, Result&& sum) const {
-        const Influence<Scalar> own = along(0, 0);
+        const Influence own = along(0, 0);
         scratch.noalias() = own.G_prime * p;
         if (stage.growth != 0) {
             sum.array() += (stage.distance + stage.growth * own.points) * scratch.array();
@@ -138,26 +115,25 @@ public:
         }
     }
     template <class Tractions, class Scratch, class Result>
-    void add_displacement_rates(Axis, Scalar factor, const Tractions& p, Scratch&& scratch, Result&& sum) const {
-        find_scaled(LengthScale<Scalar>::rate(stage.half_length), p, scratch);
+    void add_displacement_rates(Axis, double factor, const Tractions& p, Scratch&& scratch, Result&& sum) const {
+        find_scaled(LengthScale::rate(stage.half_length), p, scratch);
         sum += factor * scratch;
     }
     template <class Tractions, class Scratch, class Result>
-    void add_rates(Axis axis, const StagePlace<Scalar>& place, const Tractions& p, Scratch&& scratch,
-                   Result&& sum) const {
+    void add_rates(Axis axis, const StagePlace& place, const Tractions& p, Scratch&& scratch, Result&& sum) const {
         add_displacement_rates(axis, place.progress, p, scratch, sum);
         for (Eigen::Index d = 0; d < p.cols(); ++d) {
-            const Influence<Scalar> own = along(static_cast<std::size_t>(d), static_cast<std::size_t>(d));
+            const Influence own = along(static_cast<std::size_t>(d), static_cast<std::size_t>(d));
             scratch.col(d).noalias() = own.G_prime * p.col(d);
             sum.col(d).array() -= place.part * own.points * scratch.col(d).array();
         }
     }
 
 private:
-    Influence<Scalar> along(std::size_t d, std::size_t e) const { return influence(system_, d, e); }
+    Influence along(std::size_t d, std::size_t e) const { return influence(system_, d, e); }
 
     template <class Tractions, class Result>
-    void find_scaled(const LengthScale<Scalar>& scale, const Tractions& p, Result&& U) const {
+    void find_scaled(const LengthScale& scale, const Tractions& p, Result&& U) const {
         for (Eigen::Index d = 0; d < p.cols(); ++d) {
             const auto direction = static_cast<std::size_t>(d);
             along(direction, direction).find_displacement(scale, p.col(d), U.col(d));
@@ -174,13 +150,12 @@ private:
 /// G, G' and G_y (rows of du/dy) belong to the present a/b, in units of c. Semi-axes are in the semi-axes of a contact
 /// with a/b = `a_over_b`, all lengths in the half-length of this contact. Tractions and displacements have a column for
 /// each direction. Refers to the set.
-template <class Scalar>
 class ShapeEquations {
 public:
-    using Stage = RollingStage<Scalar>;
+    using Stage = RollingStage;
     static constexpr int columns = 2;
 
-    ShapeEquations(const ShapeSet<Scalar>& set, Scalar a_over_b, const Stage& present)
+    ShapeEquations(const ShapeSet<double>& set, double a_over_b, const Stage& present)
         : stage(present),
           set_(set),
           a_over_b_(a_over_b),
@@ -195,14 +170,14 @@ public:
 
     /// c G - (distance + growth zeta) G' - widening upsilon G_y, or -G' in steady rolling, from tractions along e to
     /// slip along d.
-    void fill(std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
+    void fill(std::size_t d, std::size_t e, Eigen::Ref<MatrixX<double>> M) const {
         if (stage.steady) return fill_slope(-1, d, e, M);
-        const Scalar widening = stage.widening * per_width_;
+        const double widening = stage.widening * per_width_;
         for (Eigen::Index j = 0; j < M.cols(); ++j) {
             M.col(j).setZero();
             for (std::size_t k = 0; k < weights_.count; ++k) {
-                const ShapeNode<Scalar>& at = node(k);
-                const Scalar weight = weights_.values[k];
+                const ShapeNode<double>& at = node(k);
+                const double weight = weights_.values[k];
                 auto column = M.col(j).array();
                 column +=
                     (weight * c_) * at.G.block(d, e).col(j).array() -
@@ -214,7 +189,7 @@ public:
     }
 
     /// `factor` G' from tractions along e to slip along d.
-    void fill_slope(Scalar factor, std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
+    void fill_slope(double factor, std::size_t d, std::size_t e, Eigen::Ref<MatrixX<double>> M) const {
         M.setZero();
         for (std::size_t k = 0; k < weights_.count; ++k) {
             M += factor * weights_.values[k] * node(k).G_prime.block(d, e);
@@ -225,16 +200,16 @@ public:
     template <class Tractions, class Result>
     void find_displacements(const Tractions& p, Result&& U) const {
         U.setZero();
-        add(&ShapeNode<Scalar>::G, weights_.values, c_, p, U);
+        add(&ShapeNode<double>::G, weights_.values, c_, p, U);
     }
 
     /// Displacements at the start of the step, and their change since then at constant unknowns.
     template <class Tractions, class Result>
-    void find_start(const SemiAxes<Scalar>& from, const Tractions& old, Result&& start) const {
+    void find_start(const SemiAxes& from, const Tractions& old, Result&& start) const {
         ShapeEquations(set_, a_over_b_, Stage::resting(from)).find_displacements(old, start);
     }
     template <class Tractions, class Start, class Result>
-    void find_growth(const SemiAxes<Scalar>&, const Tractions& old, const Start& start, Result&& growth) const {
+    void find_growth(const SemiAxes&, const Tractions& old, const Start& start, Result&& growth) const {
         find_displacements(old, growth);
         growth -= start;
     }
@@ -247,52 +222,50 @@ public:
 
     /// Adds `factor` times dU/d axis at constant tractions. In a set of one a/b the half-width follows the half-length.
     template <class Tractions, class Scratch, class Result>
-    void add_displacement_rates(Axis axis, Scalar factor, const Tractions& p, Scratch&&, Result&& sum) const {
-        const Scalar log_rate = rate_of_log(axis);
-        std::array<Scalar, 4> coefficients;
+    void add_displacement_rates(Axis axis, double factor, const Tractions& p, Scratch&&, Result&& sum) const {
+        const double log_rate = rate_of_log(axis);
+        std::array<double, 4> coefficients;
         for (std::size_t k = 0; k < 4; ++k) {
             coefficients[k] = rate_of_c(axis) * weights_.values[k] + c_ * log_rate * weights_.rates[k];
         }
-        add(&ShapeNode<Scalar>::G, coefficients, factor, p, sum);
+        add(&ShapeNode<double>::G, coefficients, factor, p, sum);
     }
 
     /// Adds the derivative of (the matrix of a stage times p) with respect to a semi-axis at the end of the step.
     template <class Tractions, class Scratch, class Result>
-    void add_rates(Axis axis, const StagePlace<Scalar>& place, const Tractions& p, Scratch&& scratch,
-                   Result&& sum) const {
+    void add_rates(Axis axis, const StagePlace& place, const Tractions& p, Scratch&& scratch, Result&& sum) const {
         add_displacement_rates(axis, place.progress, p, scratch, sum);
         const bool by_length = axis == Axis::half_length;
-        const Scalar part = place.part, b_over_a = stage.half_width / stage.half_length;
-        add_travel(0, by_length ? -part : Scalar(0),
-                   by_length ? (set_.is_single() ? -part * b_over_a : Scalar(0)) : -part, weights_.values, p, scratch,
-                   sum);
+        const double part = place.part, b_over_a = stage.half_width / stage.half_length;
+        add_travel(0, by_length ? -part : 0.0, by_length ? (set_.is_single() ? -part * b_over_a : 0.0) : -part,
+                   weights_.values, p, scratch, sum);
         if (set_.is_single()) return;
-        const Scalar factor = -place.progress * rate_of_log(axis);
+        const double factor = -place.progress * rate_of_log(axis);
         add_travel(factor * stage.distance, factor * stage.growth, factor * stage.widening, weights_.rates, p, scratch,
                    sum);
     }
 
 private:
-    using Rows = InfluenceRows<Scalar>;
-    using Weights = std::array<Scalar, 4>;
+    using Rows = InfluenceRows<double>;
+    using Weights = std::array<double, 4>;
 
-    const ShapeNode<Scalar>& node(std::size_t k) const { return set_.nodes[weights_.first + k]; }
+    const ShapeNode<double>& node(std::size_t k) const { return set_.nodes[weights_.first + k]; }
 
-    Scalar rate_of_c(Axis axis) const {
+    double rate_of_c(Axis axis) const {
         if (axis == Axis::half_width) return set_.is_single() ? 0 : c_ / (2 * stage.half_width);
         return c_ / stage.half_length / (set_.is_single() ? 1 : 2);
     }
     // Rate of ln(a/b).
-    Scalar rate_of_log(Axis axis) const {
+    double rate_of_log(Axis axis) const {
         return axis == Axis::half_length ? 1 / stage.half_length : -1 / stage.half_width;
     }
 
     template <class Tractions, class Result>
-    void add(const Rows ShapeNode<Scalar>::*quantity, const Weights& weights, Scalar factor, const Tractions& p,
+    void add(const Rows ShapeNode<double>::*quantity, const Weights& weights, double factor, const Tractions& p,
              Result&& sum) const {
         for (std::size_t k = 0; k < weights_.count; ++k) {
             const Rows& rows = node(k).*quantity;
-            const Scalar weight = factor * weights[k];
+            const double weight = factor * weights[k];
             if (weight == 0) continue;
             sum.col(0).noalias() += weight * rows.xx * p.col(0);
             sum.col(1).noalias() += weight * rows.yy * p.col(1);
@@ -303,32 +276,32 @@ private:
     }
 
     template <class Tractions, class Scratch, class Result>
-    void add_travel(Scalar distance, Scalar growth, Scalar widening, const Weights& weights, const Tractions& p,
+    void add_travel(double distance, double growth, double widening, const Weights& weights, const Tractions& p,
                     Scratch&& scratch, Result&& sum) const {
         if (distance != 0 || growth != 0) {
             scratch.setZero();
-            add(&ShapeNode<Scalar>::G_prime, weights, 1, p, scratch);
+            add(&ShapeNode<double>::G_prime, weights, 1, p, scratch);
             for (Eigen::Index d = 0; d < 2; ++d) {
                 sum.col(d).array() += (distance + growth * set_.zeta) * scratch.col(d).array();
             }
         }
         if (widening == 0) return;
         scratch.setZero();
-        add(&ShapeNode<Scalar>::G_y, weights, widening * per_width_, p, scratch);
+        add(&ShapeNode<double>::G_y, weights, widening * per_width_, p, scratch);
         for (Eigen::Index d = 0; d < 2; ++d) sum.col(d).array() += set_.upsilon * scratch.col(d).array();
     }
 
-    const ShapeSet<Scalar>& set_;
-    Scalar a_over_b_, per_width_, c_;  // a/b and half-width of the contact; present c
-    ShapeWeights<Scalar> weights_;
+    const ShapeSet<double>& set_;
+    double a_over_b_, per_width_, c_;  // a/b and half-width of the contact; present c
+    ShapeWeights<double> weights_;
 };
 
 /// Calls use(equations) with the equations of a stage of the system.
-template <class System, class Scalar, class Use>
-void with_equations(const System& system, const RollingStage<Scalar>& stage, const Use& use) {
+template <class System, class Use>
+void with_equations(const System& system, const RollingStage& stage, const Use& use) {
     if constexpr (columns_of<System> == 2) {
         if (system.shapes()) {
-            use(ShapeEquations<Scalar>(*system.shapes(), system.a_over_b(), stage));
+            use(ShapeEquations(*system.shapes(), system.a_over_b(), stage));
             return;
         }
     }
@@ -336,21 +309,15 @@ void with_equations(const System& system, const RollingStage<Scalar>& stage, con
 }
 
 /// Displacements in all directions at these semi-axes.
-template <class System, class Scalar, class Vectors>
-void find_displacements(const System& system, const SemiAxes<Scalar>& axes, const Vectors& p, Vectors& U) {
-    with_equations(system, RollingStage<Scalar>::resting(axes),
+template <class System, class Vectors>
+void find_displacements(const System& system, const SemiAxes& axes, const Vectors& p, Vectors& U) {
+    with_equations(system, RollingStage::resting(axes),
                    [&](const auto& equations) { equations.find_displacements(p, U); });
 }
 
 /// The ellipses of a patch whose semi-axes may vary, else null.
-template <class Scalar>
-const ShapeSet<Scalar>* shapes_of(const RollingSystem<Scalar>&) {
-    return nullptr;
-}
-template <class Scalar>
-const ShapeSet<Scalar>* shapes_of(const ElementSystem<Scalar, 2>& system) {
-    return system.shapes().get();
-}
+inline const ShapeSet<double>* shapes_of(const RollingSystem<double>&) { return nullptr; }
+inline const ShapeSet<double>* shapes_of(const ElementSystem<double, 2>& system) { return system.shapes().get(); }
 /// Whether the a/b of a patch may change (changes_shape), or its size alone (keeps_shape).
 template <class System>
 bool changes_shape(const System& system) {
@@ -361,12 +328,8 @@ bool keeps_shape(const System& system) {
     return shapes_of(system) != nullptr && shapes_of(system)->is_single();
 }
 
-template <class Scalar>
-bool can_breathe(const RollingSystem<Scalar>& system) {
-    return system.log_strength() && system.points();
-}
-template <class Scalar>
-bool can_breathe(const ElementSystem<Scalar, 2>& system) {
+inline bool can_breathe(const RollingSystem<double>& system) { return system.log_strength() && system.points(); }
+inline bool can_breathe(const ElementSystem<double, 2>& system) {
     return system.shapes() || (system.log_strength(0) && system.log_strength(1) && !system.coupled());
 }
 
@@ -374,20 +337,19 @@ bool can_breathe(const ElementSystem<Scalar, 2>& system) {
 /// a_0: ok or needs_fixed_mesh. Where the half-length changes by `distance` or more, an edge overtakes the particles,
 /// and the equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes`,
 /// unless null, belong to a patch whose a/b is `a_over_b` at its own semi-axes.
-template <class Scalar>
-Status check_growth(bool can_breathe, Scalar half_length_limit, const ShapeSet<Scalar>* shapes, Scalar a_over_b,
-                    Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {
-    if (from == contact_axes<Scalar> && to == contact_axes<Scalar>) return Status::ok;
-    const auto covers = [&](const SemiAxes<Scalar>& axes) {
+inline Status check_growth(bool can_breathe, double half_length_limit, const ShapeSet<double>* shapes, double a_over_b,
+                           double distance, const SemiAxes& from, const SemiAxes& to) {
+    if (from == contact_axes && to == contact_axes) return Status::ok;
+    const auto covers = [&](const SemiAxes& axes) {
         return shapes == nullptr || shapes->covers(a_over_b * axes.half_length / axes.half_width);
     };
     const bool possible = can_breathe && to.half_length < half_length_limit && covers(from) && covers(to) &&
                           (from == to || std::abs(to.half_length - from.half_length) < distance);
     return possible ? Status::ok : Status::needs_fixed_mesh;
 }
-template <class System, class Scalar>
-Status check_growth(const System& system, Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {
-    Scalar a_over_b = 1;
+template <class System>
+Status check_growth(const System& system, double distance, const SemiAxes& from, const SemiAxes& to) {
+    double a_over_b = 1;
     if constexpr (columns_of<System> == 2) a_over_b = system.a_over_b();
     return check_growth(can_breathe(system), system.half_length_limit(), shapes_of(system), a_over_b, distance, from,
                         to);

@@ -32,30 +32,26 @@ struct Parameters {
 };
 
 /// A creepage or shift between two others, after `progress` of the way.
-template <class Scalar>
-Scalar between(Scalar start, Scalar end, Scalar progress) {
-    return start + progress * (end - start);
-}
-template <class Scalar>
-Creepage<Scalar> between(const Creepage<Scalar>& start, const Creepage<Scalar>& end, Scalar progress) {
+inline double between(double start, double end, double progress) { return start + progress * (end - start); }
+inline Creepage between(const Creepage& start, const Creepage& end, double progress) {
     return {between(start.longitudinal, end.longitudinal, progress), between(start.lateral, end.lateral, progress),
             between(start.spin, end.spin, progress)};
 }
 
 /// One stage of a step: its slip is factor * motion - (slip by the tractions).
-template <int directions, class Scalar>
+template <int directions>
 struct Stage {
-    StagePlace<Scalar> place;
-    RollingStage<Scalar> geometry;
-    CreepageAlong<directions, Scalar> motion;  ///< creepage or shift at the end of the stage
-    Scalar factor;         ///< the stage's share of the step times the distance rolled; 1 for steady rolling
-    Scalar factor_by_end;  ///< d(factor * motion) / d motion at the end of the step
-    Scalar weight;         ///< share of the stage's slip in the step's slip
+    StagePlace place;
+    RollingStage geometry;
+    CreepageAlong<directions> motion;  ///< creepage or shift at the end of the stage
+    double factor;         ///< the stage's share of the step times the distance rolled; 1 for steady rolling
+    double factor_by_end;  ///< d(factor * motion) / d motion at the end of the step
+    double weight;         ///< share of the stage's slip in the step's slip
 
     /// Adds factor * motion in the equations, without the rows of the motion.
     template <class Result>
-    void add_motion(const RigidSlip<directions, Scalar>& rigid, Result&& sum) const {
-        const InputVector<directions, Scalar> values = in_order(motion);
+    void add_motion(const RigidSlip<directions>& rigid, Result&& sum) const {
+        const InputVector<directions> values = in_order(motion);
         for (std::size_t j = 0; j < input_count<directions>; ++j) {
             rigid.add(j, factor * values[static_cast<Eigen::Index>(j)], geometry.axes(), sum);
         }
@@ -63,14 +59,14 @@ struct Stage {
     /// Adds the derivative of factor * motion - (slip by tractions p at the end of the stage) by a parameter, at
     /// constant p. `scratch` is as large as p.
     template <class Equations, class Tractions, class Result>
-    void add_rate(std::size_t parameter, const RigidSlip<directions, Scalar>& rigid, const Equations& equations,
+    void add_rate(std::size_t parameter, const RigidSlip<directions>& rigid, const Equations& equations,
                   const Tractions& p, Result&& scratch, Result&& sum) const {
         using By = Parameters<directions>;
         if (parameter < By::creepages) return rigid.add(parameter, factor_by_end, geometry.axes(), sum);
         if (!By::is_axis(parameter)) return;
         const Axis axis = By::axis(parameter);
         if constexpr (directions == 2) {
-            const Scalar spin = motion.spin;
+            const double spin = motion.spin;
             if (spin != 0) rigid.add_spin_rate(axis, equations.is_single(), place.progress * factor * spin, sum);
         }
         equations.add_rates(axis, place, p, scratch, sum);
@@ -91,34 +87,34 @@ struct Stage {
 
 /// A step, or steady rolling as a step of one stage. Lengths in a_0 = `unit` [m], semi-axes in the contact's. The
 /// semi-axes vary linearly. A shift without rolling is one stage, whatever the table.
-template <int directions, class Scalar>
+template <int directions>
 struct TimeStep {
-    RigidMotion<CreepageAlong<directions, Scalar>> motion;
-    Scalar unit;
-    SemiAxes<Scalar> start, end;
-    Scalar dq = 0;  ///< distance rolled; 0 in steady rolling
-    StageTable<Scalar> stages = single_stage<Scalar>;
+    RigidMotion<CreepageAlong<directions>> motion;
+    double unit;
+    SemiAxes start, end;
+    double dq = 0;  ///< distance rolled; 0 in steady rolling
+    StageTable stages = single_stage;
     bool steady = false;
-    Scalar duration = 0, speed = 0;  ///< [s], of a step; [m/s], of steady rolling; for friction that depends on slip
+    double duration = 0, speed = 0;  ///< [s], of a step; [m/s], of steady rolling; for friction that depends on slip
 
     bool rolls() const { return dq > 0; }
     bool varies() const { return start != end; }
     int stage_count() const { return table().count(); }
 
     /// A stage, counted from 1.
-    Stage<directions, Scalar> stage(int number) const {
-        const StagePlace<Scalar> place = table().place(number);
-        const Scalar factor = steady ? Scalar(1) : motion.is_shift() ? table().part() / unit : table().part() * dq;
+    Stage<directions> stage(int number) const {
+        const StagePlace place = table().place(number);
+        const double factor = steady ? 1.0 : motion.is_shift() ? table().part() / unit : table().part() * dq;
         return {place,
-                steady ? RollingStage<Scalar>::steadily(end) : RollingStage<Scalar>::of(place, dq, start, end),
+                steady ? RollingStage::steadily(end) : RollingStage::of(place, dq, start, end),
                 between(motion.start(), motion.end(), place.progress),
                 factor,
                 motion.is_linear() ? place.progress * factor : factor,
-                place.is_last() ? Scalar(1) : place.ratio()};
+                place.is_last() ? 1.0 : place.ratio()};
     }
 
 private:
-    const StageTable<Scalar>& table() const { return rolls() ? stages : single_stage<Scalar>; }
+    const StageTable& table() const { return rolls() ? stages : single_stage; }
 };
 
 /// A result with this status and no numbers (NaN).
@@ -134,8 +130,8 @@ Result failed(Status status) noexcept {
 /// - the motion;
 /// - the loads of state and step, as `belongs` says;
 /// - the semi-axes of the load, as grows() says.
-template <class Motion, class Scalar, class Grows>
-Status check_step(Status belongs, const Motion& motion, Scalar dq, Eigen::Index size, const Grows& grows) noexcept {
+template <class Motion, class Grows>
+Status check_step(Status belongs, const Motion& motion, double dq, Eigen::Index size, const Grows& grows) noexcept {
     if (belongs == Status::wrong_state) return belongs;
     const Status possible = motion.check(dq, size);
     if (possible != Status::ok) return possible;

@@ -9,21 +9,17 @@ namespace rollbem {
 /// (longitudinal - spin y, lateral + spin x), with x and y from the middle of the contact or the origin of an outline.
 /// A rigid shift has the same components as lengths and an angle. Positive components give negative forces and a
 /// negative moment.
-template <class Scalar_ = double>
 struct Creepage {
-    using Scalar = Scalar_;
-
-    Scalar longitudinal = 0;  ///< along the rolling direction x [-]; of a shift [m]
-    Scalar lateral = 0;       ///< along y [-]; of a shift [m]
-    Scalar spin = 0;          ///< about the normal to the contact [1/m]; of a shift an angle [rad]
+    double longitudinal = 0;  ///< along the rolling direction x [-]; of a shift [m]
+    double lateral = 0;       ///< along y [-]; of a shift [m]
+    double spin = 0;          ///< about the normal to the contact [1/m]; of a shift an angle [rad]
 
     friend bool operator==(const Creepage&, const Creepage&) = default;
 };
 
 namespace detail {
 
-template <class Scalar>
-bool is_finite(const Creepage<Scalar>& creepage) {
+inline bool is_finite(const Creepage& creepage) {
     return is_finite(creepage.longitudinal) && is_finite(creepage.lateral) && is_finite(creepage.spin);
 }
 

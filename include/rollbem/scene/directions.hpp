@@ -17,33 +17,29 @@ namespace rollbem::detail {
 template <int directions, class One, class Two>
 using ByDirections = std::conditional_t<directions == 1, One, Two>;
 
-template <int directions, class Scalar>
-using CreepageAlong = ByDirections<directions, Scalar, Creepage<Scalar>>;
-template <int directions, class Scalar>
-using ForceAlong = ByDirections<directions, Scalar, TangentialForce<Scalar>>;
-template <int directions, class Scalar>
-using TangentAlong = ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
+template <int directions>
+using CreepageAlong = ByDirections<directions, double, Creepage>;
+template <int directions>
+using ForceAlong = ByDirections<directions, double, TangentialForce>;
+template <int directions>
+using TangentAlong = ByDirections<directions, double, CreepageTangent>;
 
 /// The number of creepages and of forces; with two directions spin and the moment are the third.
 template <int directions>
 inline constexpr int input_count = directions == 1 ? 1 : 3;
 /// Numbers for all creepages or forces, in the order longitudinal, lateral, spin.
-template <int directions, class Scalar>
-using InputVector = Eigen::Matrix<Scalar, input_count<directions>, 1, Eigen::DontAlign>;
-template <int directions, class Scalar>
-using InputMatrix = Eigen::Matrix<Scalar, input_count<directions>, input_count<directions>, Eigen::DontAlign>;
+template <int directions>
+using InputVector = Eigen::Matrix<double, input_count<directions>, 1, Eigen::DontAlign>;
+template <int directions>
+using InputMatrix = Eigen::Matrix<double, input_count<directions>, input_count<directions>, Eigen::DontAlign>;
 
-template <class Scalar>
-InputVector<1, Scalar> in_order(const Scalar& creepage) {
-    return InputVector<1, Scalar>::Constant(creepage);
-}
-template <class Scalar>
-InputVector<2, Scalar> in_order(const Creepage<Scalar>& creepage) {
+inline InputVector<1> in_order(const double& creepage) { return InputVector<1>::Constant(creepage); }
+inline InputVector<2> in_order(const Creepage& creepage) {
     return {creepage.longitudinal, creepage.lateral, creepage.spin};
 }
 
-template <int directions, class Scalar>
-ForceAlong<directions, Scalar> force_along(const InputVector<directions, Scalar>& in_order) {
+template <int directions>
+ForceAlong<directions> force_along(const InputVector<directions>& in_order) {
     if constexpr (directions == 1) {
         return in_order[0];
     } else {
@@ -52,26 +48,21 @@ ForceAlong<directions, Scalar> force_along(const InputVector<directions, Scalar>
 }
 
 /// A number that is NaN until computed.
-template <class Scalar>
-inline constexpr Scalar unknown = std::numeric_limits<Scalar>::quiet_NaN();
+inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 /// A force or tangent that is NaN until computed.
 template <class Value>
 Value nothing() {
     if constexpr (std::is_floating_point_v<Value>) {
-        return unknown<Value>;
+        return not_computed;
     } else {
         return {};
     }
 }
 
 /// The entry of a step's tangent for the creepage with this index.
-template <class Scalar>
-Scalar& by_creepage(Scalar& tangent, std::size_t) {
-    return tangent;
-}
-template <class Scalar>
-TangentialForce<Scalar>& by_creepage(CreepageTangent<Scalar>& tangent, std::size_t creepage) {
+inline double& by_creepage(double& tangent, std::size_t) { return tangent; }
+inline TangentialForce& by_creepage(CreepageTangent& tangent, std::size_t creepage) {
     return creepage == 0 ? tangent.by_longitudinal : creepage == 1 ? tangent.by_lateral : tangent.by_spin;
 }
 

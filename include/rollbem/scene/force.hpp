@@ -8,16 +8,15 @@
 namespace rollbem {
 
 /// A force in the plane of contact and its moment, or a derivative of them. NaN until computed.
-template <class Scalar>
 struct TangentialForce {
-    Scalar longitudinal = std::numeric_limits<Scalar>::quiet_NaN();
-    Scalar lateral = std::numeric_limits<Scalar>::quiet_NaN();
+    double longitudinal = std::numeric_limits<double>::quiet_NaN();
+    double lateral = std::numeric_limits<double>::quiet_NaN();
     /// Moment about the normal through the middle of the contact (the origin of an outline), of tractions at the
     /// centres of their elements [N m], per unit width [N]. NaN if the system does not know the centres (ready
     /// matrices).
-    Scalar moment = std::numeric_limits<Scalar>::quiet_NaN();
+    double moment = std::numeric_limits<double>::quiet_NaN();
 
-    friend TangentialForce operator*(Scalar factor, const TangentialForce& force) {
+    friend TangentialForce operator*(double factor, const TangentialForce& force) {
         return {factor * force.longitudinal, factor * force.lateral, factor * force.moment};
     }
     friend TangentialForce operator+(const TangentialForce& one, const TangentialForce& other) {
@@ -26,11 +25,10 @@ struct TangentialForce {
 };
 
 /// Derivatives of a force with respect to both creepages and spin [1/m]; for a rigid shift, to its angle [rad].
-template <class Scalar>
 struct CreepageTangent {
-    TangentialForce<Scalar> by_longitudinal, by_lateral, by_spin;
+    TangentialForce by_longitudinal, by_lateral, by_spin;
 
-    friend CreepageTangent operator*(Scalar factor, const CreepageTangent& tangent) {
+    friend CreepageTangent operator*(double factor, const CreepageTangent& tangent) {
         return {factor * tangent.by_longitudinal, factor * tangent.by_lateral, factor * tangent.by_spin};
     }
 };

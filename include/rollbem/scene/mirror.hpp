@@ -58,29 +58,26 @@ inline WheelsetSpeeds mirrored(WheelsetSpeeds speeds, const Mirror& mirror) {
     return speeds;
 }
 
-template <class Scalar>
-Creepage<Scalar> mirrored(const Creepage<Scalar>& creepage, const Mirror& mirror) {
+inline Creepage mirrored(const Creepage& creepage, const Mirror& mirror) {
     return {mirror.of_vector()[0] * creepage.longitudinal, mirror.of_vector()[1] * creepage.lateral,
             mirror.of_turn()[2] * creepage.spin};
 }
 
-template <class Scalar>
-TangentialForce<Scalar> mirrored(const TangentialForce<Scalar>& force, const Mirror& mirror) {
+inline TangentialForce mirrored(const TangentialForce& force, const Mirror& mirror) {
     return {mirror.of_vector()[0] * force.longitudinal, mirror.of_vector()[1] * force.lateral,
             mirror.of_turn()[2] * force.moment};
 }
 
-template <class Scalar>
-Outline<Scalar> mirrored(const Outline<Scalar>& outline, const Mirror& mirror) {
+inline Outline mirrored(const Outline& outline, const Mirror& mirror) {
     const auto [x, y, z] = mirror.of_vector();
-    ArrayX<Scalar> lines = outline.y(), trailing = lines, leading = lines;
+    ArrayX<double> lines = outline.y(), trailing = lines, leading = lines;
     const Eigen::Index last = lines.size() - 1;
     for (Eigen::Index i = 0; i <= last; ++i) {
-        const Scalar from = outline.y()[y < 0 ? last - i : i];
-        const Scalar ends[] = {outline.trailing(from), outline.leading(from)};
-        lines[i] = Scalar(y) * from;
-        trailing[i] = Scalar(x) * ends[x < 0 ? 1 : 0];
-        leading[i] = Scalar(x) * ends[x < 0 ? 0 : 1];
+        const double from = outline.y()[y < 0 ? last - i : i];
+        const double ends[] = {outline.trailing(from), outline.leading(from)};
+        lines[i] = double(y) * from;
+        trailing[i] = double(x) * ends[x < 0 ? 1 : 0];
+        leading[i] = double(x) * ends[x < 0 ? 0 : 1];
     }
     return {lines, trailing, leading};
 }

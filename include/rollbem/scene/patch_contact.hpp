@@ -15,18 +15,15 @@ namespace rollbem {
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
 ///
-/// Invariant: 1e-120 <= a <= 1e60 (float: 1e-18 to 1e12), 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
+/// Invariant: 1e-120 <= a <= 1e60, 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
 /// finite.
-template <class Scalar_ = double>
 class PatchContact {
 public:
-    using Scalar = Scalar_;
-
     struct Parameters {
-        Scalar half_length;    ///< a [m], semi-axis in the rolling direction x
-        Scalar half_width;     ///< b [m], semi-axis across it
-        Scalar shear_modulus;  ///< G [Pa] of both (equal) bodies
-        Scalar poisson_ratio;  ///< nu [-]
+        double half_length;    ///< a [m], semi-axis in the rolling direction x
+        double half_width;     ///< b [m], semi-axis across it
+        double shear_modulus;  ///< G [Pa] of both (equal) bodies
+        double poisson_ratio;  ///< nu [-]
     };
 
     /// An ellipse. Throws std::invalid_argument naming the parameter that breaks the invariant.
@@ -41,34 +38,32 @@ public:
     }
 
     /// Any outline, in metres. a and b are both the radius c of the circle of equal area.
-    PatchContact(Outline<Scalar> outline, Scalar shear_modulus, Scalar poisson_ratio)
+    PatchContact(Outline outline, double shear_modulus, double poisson_ratio)
         : PatchContact(Parameters{radius_of(outline), radius_of(outline), shear_modulus, poisson_ratio}) {
-        outline_ = std::make_shared<const Outline<Scalar>>(std::move(outline));
+        outline_ = std::make_shared<const Outline>(std::move(outline));
     }
 
     /// The ellipse with a = G = 1.
-    static PatchContact dimensionless(Scalar a_over_b, Scalar poisson_ratio) {
+    static PatchContact dimensionless(double a_over_b, double poisson_ratio) {
         detail::require_positive("PatchContact", "a_over_b", a_over_b);
         return PatchContact(Parameters{1, 1 / a_over_b, 1, poisson_ratio});
     }
 
-    Scalar half_length() const { return parameters_.half_length; }  ///< a [m]; the unit of length of its systems
-    Scalar half_width() const { return parameters_.half_width; }    ///< b [m]
-    Scalar shear_modulus() const { return parameters_.shear_modulus; }
-    Scalar poisson_ratio() const { return parameters_.poisson_ratio; }
-    Scalar a_over_b() const { return parameters_.half_length / parameters_.half_width; }
-    Scalar c() const {  ///< sqrt(a b) [m]
+    double half_length() const { return parameters_.half_length; }  ///< a [m]; the unit of length of its systems
+    double half_width() const { return parameters_.half_width; }    ///< b [m]
+    double shear_modulus() const { return parameters_.shear_modulus; }
+    double poisson_ratio() const { return parameters_.poisson_ratio; }
+    double a_over_b() const { return parameters_.half_length / parameters_.half_width; }
+    double c() const {  ///< sqrt(a b) [m]
         return std::sqrt(parameters_.half_length) * std::sqrt(parameters_.half_width);
     }
-    const Outline<Scalar>* outline() const { return outline_.get(); }  ///< null for an ellipse
+    const Outline* outline() const { return outline_.get(); }  ///< null for an ellipse
 
 private:
-    static Scalar radius_of(const Outline<Scalar>& outline) {
-        return std::sqrt(outline.area() / std::numbers::pi_v<Scalar>);
-    }
+    static double radius_of(const Outline& outline) { return std::sqrt(outline.area() / std::numbers::pi); }
 
     Parameters parameters_;
-    std::shared_ptr<const Outline<Scalar>> outline_;
+    std::shared_ptr<const Outline> outline_;
 };
 
 }  // namespace rollbem

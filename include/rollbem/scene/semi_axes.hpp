@@ -6,12 +6,9 @@
 namespace rollbem {
 
 /// Semi-axes in metres, or over the semi-axes of a contact.
-template <class Scalar_ = double>
 struct SemiAxes {
-    using Scalar = Scalar_;
-
-    Scalar half_length;  ///< a, in the rolling direction
-    Scalar half_width;   ///< b, across it
+    double half_length;  ///< a, in the rolling direction
+    double half_width;   ///< b, across it
 
     friend bool operator==(const SemiAxes&, const SemiAxes&) = default;
 };
@@ -19,11 +16,9 @@ struct SemiAxes {
 namespace detail {
 
 /// The semi-axes of a contact over themselves.
-template <class Scalar>
-inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
+inline constexpr SemiAxes contact_axes{1, 1};
 
-template <class Scalar>
-bool are_positive(const SemiAxes<Scalar>& axes) noexcept {
+inline bool are_positive(const SemiAxes& axes) noexcept {
     return is_finite(axes.half_length) && axes.half_length > 0 && is_finite(axes.half_width) && axes.half_width > 0;
 }
 

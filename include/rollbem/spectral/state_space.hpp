@@ -8,13 +8,12 @@
 namespace rollbem {
 
 /// The state space of Chebyshev states: without an inverse, B = -e_0.
-template <class Scalar>
-StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
+inline StateSpace state_space(const ChebyshevSystem<double>& system) {
     const Eigen::Index m = system.size();
-    StateSpace<Scalar> result{.A = system.rates(),
-                              .B = MatrixX<Scalar>::Zero(m, 1),
-                              .C = -system.outputs().transpose(),
-                              .D = MatrixX<Scalar>::Zero(1, 1)};
+    StateSpace result{.A = system.rates(),
+                      .B = MatrixX<double>::Zero(m, 1),
+                      .C = -system.outputs().transpose(),
+                      .D = MatrixX<double>::Zero(1, 1)};
     result.B(0, 0) = -1;
     return result;
 }
@@ -23,7 +22,7 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
 /// contact length. Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >=
 /// 0.001 and, for a plane kernel, Lambda > 0.
 template <LineKernel Kernel>
-StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
+StateSpace state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));
 }
 

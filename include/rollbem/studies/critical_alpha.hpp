@@ -47,13 +47,13 @@ public:
 
     Look look(double alpha_T) const {
         const ElementSystem<Scalar> system = rolling_system(mesh_, scheme_of_(alpha_T), kernel_);
-        const UnstableCount<Scalar> count = count_unstable<Scalar>(system);
+        const UnstableCount count = count_unstable(system);
         if (count.status == Status::ok && count.unstable_count == 0) {
             const Scalar rcond =
                 reciprocal_condition(Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()), one_norm(system.G()));
             return {false, count.flattest_cosine, rcond > Scalar(1e-6)};
         }
-        return {judge_stability<Scalar>(system).certainly_unstable(), 0, false};
+        return {judge_stability(system).certainly_unstable(), 0, false};
     }
 
 private:

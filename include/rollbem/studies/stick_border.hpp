@@ -111,7 +111,7 @@ namespace rollbem::detail {
 
 /// Steady rolling by elements, for a result that is otherwise empty.
 template <class Kernel, class Pressure>
-void solve_on_elements(const Contact<double>& contact, const Kernel& kernel, double friction_coefficient,
+void solve_on_elements(const Contact& contact, const Kernel& kernel, double friction_coefficient,
                        const Pressure& pressure, double creepage, Eigen::Index count,
                        studies::StickBorderSolution<double>& result) {
     const Mesh<double> mesh = cosine_mesh<double>(count);
@@ -120,7 +120,7 @@ void solve_on_elements(const Contact<double>& contact, const Kernel& kernel, dou
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
     FrictionWorkspace workspace = model.workspace();
-    const FrictionStep step = model.steady(rest, {.motion = Creepage<double>{creepage}}, state, workspace);
+    const FrictionStep step = model.steady(rest, {.motion = Creepage{creepage}}, state, workspace);
     result.elements.emplace(
         studies::StickBorderSolution<double>::OnElements{mesh, state.traction.col(0), workspace.slip().col(0)});
     result.force_per_width = step.force.longitudinal / contact.width();
@@ -156,7 +156,7 @@ namespace rollbem::studies {
 /// hertz.pressure(), and the result keeps a copy of it. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
 template <LineKernel Kernel, PressureLaw<double> Pressure>
-StickBorderSolution<double> solve_stick_border(const Contact<double>& contact, const Kernel& kernel,
+StickBorderSolution<double> solve_stick_border(const Contact& contact, const Kernel& kernel,
                                                double friction_coefficient, const Pressure& pressure, double creepage,
                                                Eigen::Index fallback_elements = 40) {
     constexpr const char* who = "solve_stick_border";

@@ -53,14 +53,14 @@ struct WheelForces {
         std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
         double angle = 0;             ///< angle delta of the pressures' mean normal [rad]
         double rolling_radius = 0;    ///< [m]
-        double rail_y = 0, wheel_y = 0;              ///< y of the point in both profiles [m]
-        double normal_load = 0;                      ///< N [N]
-        double peak_pressure = 0;                    ///< largest pressure in the zone [Pa]
-        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
-        Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
-        TangentialForce<double> force{};             ///< force on the wheel in the plane [N], moment [N m]
-        double rolling_velocity = 0;                 ///< V [m/s], below 0 where the wheel rolls backwards
-        double heat = 0;                             ///< heat of friction [W]
+        double rail_y = 0, wheel_y = 0;      ///< y of the point in both profiles [m]
+        double normal_load = 0;              ///< N [N]
+        double peak_pressure = 0;            ///< largest pressure in the zone [Pa]
+        PatchContact ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
+        Creepage creepage{};                 ///< wheel minus rail, as creepage_of
+        TangentialForce force{};             ///< force on the wheel in the plane [N], moment [N m]
+        double rolling_velocity = 0;         ///< V [m/s], below 0 where the wheel rolls backwards
+        double heat = 0;                     ///< heat of friction [W]
     };
 
     /// Inputs by which the forces are differentiated.

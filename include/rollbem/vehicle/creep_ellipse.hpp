@@ -19,8 +19,8 @@ struct PatchEllipse {
     ContactRow::Values values = ContactRow::Values::Zero();
 
     /// The forces on the patch under the load N [N], from a table; creepages and moment refer to the reference point.
-    TangentialForce<double> forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
-                                   double load, const Creepage<double>& at) const;
+    TangentialForce forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu, double load,
+                           const Creepage& at) const;
 };
 
 /// Equivalent ellipse of a patch: with it, a table of creep forces approximates friction on the patch's own outline

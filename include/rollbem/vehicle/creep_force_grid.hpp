@@ -74,13 +74,13 @@ public:
 
     /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) at a node of ellipse i. The nodes form lines along
     /// which the spin grows.
-    Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
+    Creepage creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
         return creepage(i, saturation_scale / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
     }
     /// Creepages and spin, scaled as above, at X.
-    Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
+    Creepage creepage(Eigen::Index i, const Eigen::Array3d& X) const {
         const double spin = X[2] / scales_(3, i);
         return {X[0] / scales_(0, i), (X[1] - scales_(2, i) * spin) / scales_(1, i), spin};
     }

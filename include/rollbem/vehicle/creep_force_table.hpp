@@ -22,13 +22,13 @@ namespace rollbem {
 
 /// Result of a look-up, in the units of the contact.
 struct TabulatedForce {
-    TangentialForce<double> force;    ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
-    CreepageTangent<double> tangent;  ///< d force/d creepage: the exact derivative of the interpolation, as are the
+    TangentialForce force;            ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
+    CreepageTangent tangent;          ///< d force/d creepage: the exact derivative of the interpolation, as are the
                                       ///< following
-    TangentialForce<double> tangent_by_load;                  ///< derivative at constant semi-axes [1], [m]
-    TangentialForce<double> tangent_by_friction_coefficient;  ///< [N], [N m]
-    TangentialForce<double> tangent_by_half_length;           ///< derivative at constant half-width [N/m], [N]
-    TangentialForce<double> tangent_by_half_width;            ///< derivative at constant half-length [N/m], [N]
+    TangentialForce tangent_by_load;  ///< derivative at constant semi-axes [1], [m]
+    TangentialForce tangent_by_friction_coefficient;  ///< [N], [N m]
+    TangentialForce tangent_by_half_length;           ///< derivative at constant half-width [N/m], [N]
+    TangentialForce tangent_by_half_width;            ///< derivative at constant half-length [N/m], [N]
     /// a/b lies on the table. If not, forces belong to its nearest ellipse with the same area: they are continuous, but
     /// their error is unknown.
     bool a_over_b_on_table = false;
@@ -48,7 +48,7 @@ struct TabulatedForce {
 /// Immutable: threads may share it.
 ///
 ///     const CreepForceTable table = CreepForceTable::read("share/rollbem/steel.creep");
-///     const PatchContact<double> contact({a, b, G, nu});
+///     const PatchContact contact({a, b, G, nu});
 ///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
 ///     if (now.status != Status::ok) ...
 class CreepForceTable {
@@ -56,10 +56,10 @@ public:
     /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of
     /// the contact.
     struct LinearForce {
-        double value;                  ///< [N]
-        Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
-        double by_half_length;         ///< derivative at constant half-width [N/m]
-        double by_half_width;          ///< derivative at constant half-length [N/m]
+        double value;           ///< [N]
+        Creepage by_creepage;   ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
+        double by_half_length;  ///< derivative at constant half-width [N/m]
+        double by_half_width;   ///< derivative at constant half-length [N/m]
     };
 
     /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the
@@ -85,20 +85,19 @@ public:
     /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
     /// wrong_table if Poisson's ratio differs from the table's by more than 0.01, or for an outline. Without friction
     /// or load, or if mu N is below 1e-308 G a b, there is no force at rest and no tangent. Does not allocate.
-    TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
-                           const Creepage<double>& creepage) const noexcept;
+    TabulatedForce look_up(const PatchContact& contact, double friction_coefficient, double load,
+                           const Creepage& creepage) const noexcept;
 
     /// The force of look_up() alone, to the rounding of Digits, float or double, in less time; not finite where
     /// creepages are not. Unchecked: semi-axes and G must satisfy the rules of PatchContact, and Poisson's ratio must
     /// fit.
     template <std::floating_point Digits = double>
-    TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
-                                  double load, const Creepage<double>& creepage) const noexcept;
+    TangentialForce force(const PatchContact::Parameters& contact, double friction_coefficient, double load,
+                          const Creepage& creepage) const noexcept;
 
     /// The distance of a contact from rest, in forces: full sliding begins at 1 to 3 mu N. The contact must satisfy the
     /// rules of look_up(). Does not allocate.
-    LinearForce saturation_parameter(const PatchContact<double>& contact,
-                                     const Creepage<double>& creepage) const noexcept;
+    LinearForce saturation_parameter(const PatchContact& contact, const Creepage& creepage) const noexcept;
 
 private:
     struct Splines;  // internal
@@ -121,9 +120,9 @@ private:
 #include "impl/creep_force_table.ipp"
 #else
 namespace rollbem {
-extern template TangentialForce<double> CreepForceTable::force<double>(const PatchContact<double>::Parameters&, double,
-                                                                       double, const Creepage<double>&) const noexcept;
-extern template TangentialForce<double> CreepForceTable::force<float>(const PatchContact<double>::Parameters&, double,
-                                                                      double, const Creepage<double>&) const noexcept;
+extern template TangentialForce CreepForceTable::force<double>(const PatchContact::Parameters&, double, double,
+                                                               const Creepage&) const noexcept;
+extern template TangentialForce CreepForceTable::force<float>(const PatchContact::Parameters&, double, double,
+                                                              const Creepage&) const noexcept;
 }  // namespace rollbem
 #endif

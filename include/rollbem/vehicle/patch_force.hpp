@@ -39,8 +39,8 @@ struct RollingFriction {
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane. Numbers without a result are NaN and
 /// arrays empty; a patch that does not roll has neither force nor work.
 struct PatchForce {
-    Creepage<double> creepage{};      ///< wheel minus rail, see creepage_of
-    TangentialForce<double> force{};  ///< force on the wheel [N], moment about n [N m], at creepage_place
+    Creepage creepage{};      ///< wheel minus rail, see creepage_of
+    TangentialForce force{};  ///< force on the wheel [N], moment about n [N m], at creepage_place
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< edges of the strips along s [m]; each strip's part of slip_work [J/m]
     Eigen::Index elements = 0;

@@ -52,7 +52,7 @@ public:
     /// friction coefficient is by mu_0. Status not_finite also if the speed is not finite, invalid_step if it is
     /// negative.
     struct Force : TabulatedForce {
-        TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
+        TangentialForce tangent_by_speed;                                        ///< [N s/m], [N s]
         double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
     };
 
@@ -60,8 +60,8 @@ public:
 
     /// Look-up as CreepForceTable::look_up, with mu_0 and the speed V [m/s] at which the wheel rolls. Exact tangents;
     /// allocates nothing.
-    Force look_up(const CreepForceTable& table, const PatchContact<double>& contact, double mu_0, double load,
-                  double speed, const Creepage<double>& creepage) const noexcept;
+    Force look_up(const CreepForceTable& table, const PatchContact& contact, double mu_0, double load, double speed,
+                  const Creepage& creepage) const noexcept;
 
 private:
     /// pi/2 p and its derivative by eps.

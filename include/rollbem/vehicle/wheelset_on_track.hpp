@@ -30,8 +30,7 @@ inline double rolling_velocity_of(const RailPatch& patch, const WheelsetSpeeds& 
 /// axes (x, s, n) of its plane [-, -, 1/m]: a wheel braked while it rolls forward has a positive longitudinal creepage.
 /// Not finite where V = 0. Its forces act on the wheel. CONTACT's CKSI, CETA and CPHI have the opposite sign, and
 /// CONTACT's forces act on the rail.
-Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
-                             double radius);
+Creepage creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius);
 
 /// The rigid slip of curved surfaces at points (x, s) of the plane in addition to creepage_of, a row for each point,
 /// along x and s [-]: slip of the wheel's undeformed surface in each row of cells, along the tangent midway between
@@ -40,10 +39,10 @@ Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPosition& 
                                 double radius, const Eigen::ArrayXd& x, const Eigen::ArrayXd& s);
 
 /// The contact patch in the form for friction: its outline in the axes (x, s) of its plane.
-PatchContact<double> contact_of(const RailPatch& patch, const TrackDimensions& dimensions);
+PatchContact contact_of(const RailPatch& patch, const TrackDimensions& dimensions);
 
 /// The pressures of a patch, bilinear between the centres of the cells.
-PressureGrid<double> pressure_of(const RailPatch& patch);
+PressureGrid pressure_of(const RailPatch& patch);
 
 /// Both wheels of a wheelset on both rails. Immutable.
 class WheelsetOnTrack {

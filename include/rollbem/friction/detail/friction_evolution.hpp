@@ -52,8 +52,8 @@ struct CoefficientScratch {
 /// tractions. References to values of the caller, made on the stack for one step; bounds are p_n/G.
 template <int directions>
 struct Coefficients {
-    using Step = TimeStep<directions, double>;
-    using Stage = detail::Stage<directions, double>;
+    using Step = TimeStep<directions>;
+    using Stage = detail::Stage<directions>;
 
     const FrictionLaw& law;
     const FrictionMemory& memory;

@@ -353,21 +353,21 @@ private:
                 turned(variable<Number>(input(WheelForces::yaw), by_yaw), yawed_)};
     }
 
-    PatchContact<double>::Parameters ellipse(double a, double b) const {
+    PatchContact::Parameters ellipse(double a, double b) const {
         return {a, b, table_.shear_modulus(), table_.poisson_ratio()};
     }
 
     /// Forces on the ellipse of a zone at its own creepages, without derivatives.
     Status creep_forces(Pass<double>& pass, std::size_t zone, const std::array<double, 3>& own) const {
-        Contact<double>& found = pass.contacts[zone];
-        const Creepage<double> creepage{own[0], own[1], own[2]};
-        const PatchContact<double>::Parameters axes = ellipse(found.half_length, found.half_width);
+        Contact& found = pass.contacts[zone];
+        const Creepage creepage{own[0], own[1], own[2]};
+        const PatchContact::Parameters axes = ellipse(found.half_length, found.half_width);
         const double mu = input(WheelForces::mu) * friction_.factor[zone], N = found.normal;
-        TangentialForce<double> force;
+        TangentialForce force;
         Status status = Status::ok;
         if (friction_.reduced != nullptr) {
             const ReducedFriction::Force now =
-                friction_.reduced->look_up(creep_, PatchContact<double>(axes), mu, N, found.rolling, creepage);
+                friction_.reduced->look_up(creep_, PatchContact(axes), mu, N, found.rolling, creepage);
             force = now.force;
             status = now.status;
         } else {
@@ -382,11 +382,11 @@ private:
     Status creep_forces(Pass<Dual>& pass, std::size_t zone, const std::array<Dual, 3>& own) const {
         Contact<Dual>& found = pass.contacts[zone];
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
-        const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
-        const PatchContact<double> contact(ellipse(found.half_length.value(), found.half_width.value()));
+        const Creepage creepage{own[0].value(), own[1].value(), own[2].value()};
+        const PatchContact contact(ellipse(found.half_length.value(), found.half_width.value()));
         TabulatedForce now;
         Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
-        const auto column = [](const TangentialForce<double>& of) {
+        const auto column = [](const TangentialForce& of) {
             return Eigen::Vector3d(of.longitudinal, of.lateral, of.moment);
         };
         if (friction_.reduced != nullptr) {
@@ -584,7 +584,7 @@ private:
         point.rail_y = row[ContactRow::rail_y];
         point.wheel_y = row[ContactRow::wheel_y];
         point.peak_pressure = row[ContactRow::peak] * value_of(of.size);
-        point.ellipse = PatchContact<double>(ellipse(value_of(of.half_length), value_of(of.half_width)));
+        point.ellipse = PatchContact(ellipse(value_of(of.half_length), value_of(of.half_width)));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};

@@ -16,13 +16,13 @@
 namespace rollbem {
 
 ROLLBEM_DECL auto PatchEllipse::forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
-                                       double load, const Creepage<double>& at) const -> TangentialForce<double> {
+                                       double load, const Creepage& at) const -> TangentialForce {
     const std::array<double, 3> there{at.longitudinal - at.spin * s, at.lateral + at.spin * x, at.spin};
     const auto [xi, eta, phi] =
         detail::ellipse_creepages<double>(there, half_length, half_width, dimensions.shear_modulus, mu * load,
                                           [&](Eigen::Index row) { return values[row]; });
-    const PatchContact<double> contact({half_length, half_width, dimensions.shear_modulus, dimensions.poisson_ratio});
-    TangentialForce<double> force = creep.look_up(contact, mu, load, {xi, eta, phi}).force;
+    const PatchContact contact({half_length, half_width, dimensions.shear_modulus, dimensions.poisson_ratio});
+    TangentialForce force = creep.look_up(contact, mu, load, {xi, eta, phi}).force;
     force.moment += x * force.lateral - s * force.longitudinal;
     return force;
 }

@@ -57,7 +57,7 @@ public:
                 for (int spin = 0; spin <= m_; ++spin) {
                     const double size = std::sqrt(double(x * x + y * y + spin * spin));
                     if (size < n_ || size > n_ + 3 || (spin == 0 && y < 0)) continue;
-                    const Creepage<double> v = grid.creepage(shape, Eigen::Array3d(x, y, spin));
+                    const Creepage v = grid.creepage(shape, Eigen::Array3d(x, y, spin));
                     const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
                     outer.push_back({x, y, spin, size, {full.longitudinal, full.lateral, full.moment}});
                 }
@@ -213,7 +213,7 @@ struct CreepForceTable::Splines {
         Eigen::Vector3d moment_by_shape;  ///< derivative of the linear law's moment
     };
     /// X mu N/(G a b) from scales of the grid.
-    static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage<double>& v) noexcept {
+    static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage& v) noexcept {
         return {scales[0] * v.longitudinal, scales[1] * v.lateral + scales[2] * c * v.spin, scales[3] * c * v.spin};
     }
 
@@ -366,8 +366,7 @@ struct CreepForceTable::Splines {
         return correction;
     }
 
-    auto saturation_parameter(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept
-        -> LinearForce {
+    auto saturation_parameter(const PatchContact& contact, const Creepage& creepage) const noexcept -> LinearForce {
         const Ellipse on = ellipse(contact.a_over_b());
         const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
         const Eigen::Vector3d w = linear_law(on.linear, c, creepage);
@@ -385,8 +384,8 @@ struct CreepForceTable::Splines {
     }
 
     template <std::floating_point Digits>
-    TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
-                                  double load, const Creepage<double>& creepage) const noexcept {
+    TangentialForce force(const PatchContact::Parameters& contact, double friction_coefficient, double load,
+                          const Creepage& creepage) const noexcept {
         const double bound = friction_coefficient * load,
                      c = std::sqrt(contact.half_length) * std::sqrt(contact.half_width),
                      stiffness = contact.shear_modulus * c * c;
@@ -404,8 +403,8 @@ struct CreepForceTable::Splines {
         return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
     }
 
-    TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
-                           const Creepage<double>& creepage) const noexcept {
+    TabulatedForce look_up(const PatchContact& contact, double friction_coefficient, double load,
+                           const Creepage& creepage) const noexcept {
         TabulatedForce result;
         const auto ended = [&](Status status) {
             result.status = status;
@@ -428,7 +427,7 @@ struct CreepForceTable::Splines {
         const double size = w.matrix().stableNorm();
         const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
         if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
-            const TangentialForce<double> none{0, 0, 0};
+            const TangentialForce none{0, 0, 0};
             return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, Status::ok};
         }
         const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(table.n_));
@@ -487,7 +486,7 @@ struct CreepForceTable::Splines {
         slope.col(2) = unit[2] * slope.col(1) + unit[3] * slope.col(2);
         slope.col(1) *= unit[1];
         slope.col(0) *= unit[0];
-        const auto in_si = [&](const Eigen::Array3d& of) { return TangentialForce<double>{of[0], of[1], c * of[2]}; };
+        const auto in_si = [&](const Eigen::Array3d& of) { return TangentialForce{of[0], of[1], c * of[2]}; };
         const double a = contact.half_length(), b = contact.half_width();
         result.force = in_si(Eigen::Array3d::Zero() - bound * force);
         result.tangent = {in_si(slope.col(0)), in_si(slope.col(1)), in_si(slope.col(2))};
@@ -561,14 +560,13 @@ ROLLBEM_DECL void CreepForceTable::Splines::fill_rest_correction(CreepForceTable
     table.at_rest_ = with_ends(std::move(columns));
 }
 
-ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact<double>& contact,
-                                                        const Creepage<double>& creepage) const noexcept
-    -> LinearForce {
+ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact& contact,
+                                                        const Creepage& creepage) const noexcept -> LinearForce {
     return Splines{*this}.saturation_parameter(contact, creepage);
 }
 
-ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact<double>& contact, double friction_coefficient,
-                                                     double load, const Creepage<double>& creepage) const noexcept {
+ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact& contact, double friction_coefficient,
+                                                     double load, const Creepage& creepage) const noexcept {
     return Splines{*this}.look_up(contact, friction_coefficient, load, creepage);
 }
 
@@ -619,9 +617,8 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(const std::filesystem::path& 
 }
 
 template <std::floating_point Digits>
-TangentialForce<double> CreepForceTable::force(const PatchContact<double>::Parameters& contact,
-                                               double friction_coefficient, double load,
-                                               const Creepage<double>& creepage) const noexcept {
+TangentialForce CreepForceTable::force(const PatchContact::Parameters& contact, double friction_coefficient,
+                                       double load, const Creepage& creepage) const noexcept {
     return Splines{*this}.force<Digits>(contact, friction_coefficient, load, creepage);
 }
 

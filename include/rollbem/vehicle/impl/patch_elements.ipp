@@ -39,7 +39,7 @@ namespace rollbem {
 
 ROLLBEM_DECL PatchElements elements_for(const RailPatch& patch) {
     constexpr Eigen::Index lines = 240, most = 25;
-    const Outline<double>& outline = *patch.outline;
+    const Outline& outline = *patch.outline;
     const double height = outline.high() - outline.low(), step = height / lines;
     Eigen::ArrayXd lengths(lines);
     for (Eigen::Index k = 0; k < lines; ++k) {

@@ -74,7 +74,7 @@ struct RollingPatches {
     const WheelsetSpeeds& speeds;
     const TrackDimensions& dimensions;
 
-    Creepage<double> creepage(std::size_t k) const { return creepage_of(*patches[k], at, speeds, dimensions.radius); }
+    Creepage creepage(std::size_t k) const { return creepage_of(*patches[k], at, speeds, dimensions.radius); }
 };
 
 /// Rigid slip of the elements of all patches in addition to the slip by the first patch's creepages: creepages of other
@@ -82,7 +82,7 @@ struct RollingPatches {
 inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<double>& elements,
                                    const RollingPatches& rolling, const RollingFriction& friction) {
     ElementVectors rows = ElementVectors::Zero(elements.size(), 2);
-    const Creepage<double> first = rolling.creepage(0);
+    const Creepage first = rolling.creepage(0);
     for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
         const Eigen::ArrayXd x = meshes.unit * elements.x.segment(meshes.first(k), meshes.size(k)),
                              s = meshes.unit * elements.y.segment(meshes.first(k), meshes.size(k));
@@ -90,7 +90,7 @@ inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<dou
         if (friction.curved_slip) {
             own = curved_slip_of(*rolling.patches[k], rolling.at, rolling.speeds, rolling.dimensions.radius, x, s);
         }
-        const Creepage<double> here = rolling.creepage(k);
+        const Creepage here = rolling.creepage(k);
         const double spin = here.spin - first.spin;
         own.col(0).array() += here.longitudinal - first.longitudinal - spin * s;
         own.col(1).array() += here.lateral - first.lateral + spin * x;
@@ -99,9 +99,8 @@ inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<dou
 }
 
 /// Force and moment of the tractions [Pa] on a patch's elements.
-inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& elements,
-                                        const ElementVectors& tractions) {
-    TangentialForce<double> force{0, 0, 0};
+inline TangentialForce force_of(const std::vector<Rectangle<double>>& elements, const ElementVectors& tractions) {
+    TangentialForce force{0, 0, 0};
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& [x_1, x_2, y_1, y_2] = elements[i];
         const double area = (x_2 - x_1) * (y_2 - y_1), f_x = area * tractions(Eigen::Index(i), 0),
@@ -159,7 +158,7 @@ inline PatchTemperatures temperatures_of(const std::vector<Rectangle<double>>& e
 /// Steady rolling on one mesh of all outlines, with tractions [Pa] and heat [J/m] of its elements.
 struct MeshFriction {
     Status status = Status::not_finite;
-    TangentialForce<double> force;
+    TangentialForce force;
     ElementVectors tractions;
     Eigen::ArrayXd work;
     std::vector<double> peaks{};  ///< largest temperature of each patch [K]; empty: not known
@@ -168,7 +167,7 @@ struct MeshFriction {
 /// Solves friction on a mesh for given coefficients of its elements.
 class MeshSolver {
 public:
-    MeshSolver(const PatchMeshes& meshes, const PatchContact<double>& contact, const RollingPatches& rolling,
+    MeshSolver(const PatchMeshes& meshes, const PatchContact& contact, const RollingPatches& rolling,
                const RollingFriction& friction)
         : meshes_(meshes),
           contact_(contact),
@@ -230,9 +229,9 @@ private:
         auto workspace = model.workspace();
         auto state = model.at_rest();
         const ElementVectors rows = slip_besides(meshes_, system_.elements(), rolling_, friction_);
-        const RigidMotion<Creepage<double>> motion(rolling_.creepage(0));
+        const RigidMotion<Creepage> motion(rolling_.creepage(0));
         const FrictionStep step =
-            model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
+            model.steady(model.at_rest(), {Travel::at_speed(1), motion.with_rows(rows)}, state, workspace);
         return {step.status, step.force, state.traction, workspace.slip_work()};
     }
 
@@ -244,7 +243,7 @@ private:
         for (std::size_t k = 0; k < meshes_.patches.size(); ++k) {
             const RailPatch& patch = *rolling_.patches[k];
             const double speed = rolling_velocity_of(patch, rolling_.speeds);
-            const Creepage<double> creepage = rolling_.creepage(k);
+            const Creepage creepage = rolling_.creepage(k);
             const bool both_pass = std::hypot(creepage.longitudinal, creepage.lateral) <= 0.2;
             if (!both_pass || !heating.passes_fast(speed, patch.half_length)) return std::nullopt;
             const Eigen::Index first = meshes_.first(k), count = meshes_.size(k);
@@ -259,14 +258,14 @@ private:
     }
 
     const PatchMeshes& meshes_;
-    const PatchContact<double>& contact_;
+    const PatchContact& contact_;
     const RollingPatches& rolling_;
     const RollingFriction& friction_;
     ElementSystem<double, 2> system_;
     Eigen::ArrayXd pressures_;
 };
 
-inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const PatchContact<double>& contact,
+inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const PatchContact& contact,
                                            const RollingPatches& rolling, const RollingFriction& friction) {
     const MeshSolver solver(meshes, contact, rolling, friction);
     const MeshFriction solved = solver.solve();
@@ -321,7 +320,7 @@ inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& patche
         return std::vector<PatchForce>(patches.size(),
                                        {.force = {0, 0, 0}, .slip_work = 0, .status = Status::invalid_step});
     }
-    const PatchContact<double> contact = contact_of(patches[0], dimensions);
+    const PatchContact contact = contact_of(patches[0], dimensions);
     std::vector<PatchForce> found;
     with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
         found = friction_on(friction_meshes(rolling.patches, fewer, contact.half_length()), contact, rolling, friction);

@@ -23,9 +23,9 @@ ROLLBEM_DECL ReducedFriction::ReducedFriction(const Parameters& parameters) : p_
     detail::require_not_negative(name, "fall", p_.fall);
 }
 
-ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const PatchContact<double>& contact,
-                                           double mu_0, double load, double speed,
-                                           const Creepage<double>& creepage) const noexcept -> Force {
+ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const PatchContact& contact, double mu_0,
+                                           double load, double speed, const Creepage& creepage) const noexcept
+    -> Force {
     Force result;
     if (!detail::is_finite(speed) || !detail::is_finite(creepage)) return result;
     result.status = Status::invalid_step;
@@ -49,14 +49,14 @@ ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const P
     const double r = slides ? 1 : rests ? (p_.adhesion_factor + p_.slip_factor) / 2 : reduced.value / full.value;
     // derivative of r by log(eps); even in eps, so that at rest it is 0
     const double bend = slides || rests ? 0 : eps * (reduced.slope - r * full.slope) / full.value;
-    const TangentialForce<double> bent = bend * clean.force;
+    const TangentialForce bent = bend * clean.force;
     const auto bent_over = [&](double by) {
-        return bend != 0 ? TangentialForce<double>{bent.longitudinal / by, bent.lateral / by, bent.moment / by}
-                         : TangentialForce<double>{0, 0, 0};
+        return bend != 0 ? TangentialForce{bent.longitudinal / by, bent.lateral / by, bent.moment / by}
+                         : TangentialForce{0, 0, 0};
     };
-    const TangentialForce<double> by_mu = r * clean.tangent_by_friction_coefficient + bent_over(-mu);
+    const TangentialForce by_mu = r * clean.tangent_by_friction_coefficient + bent_over(-mu);
     const double by_slip = -p_.fall * speed * mu_0 * left;  // derivative of mu
-    const auto tangent = [&](const TangentialForce<double>& by, double of_linear, double of_slip) {
+    const auto tangent = [&](const TangentialForce& by, double of_linear, double of_slip) {
         return r * by + (bend != 0 ? of_linear / linear.value : 0) * bent + (by_slip * of_slip) * by_mu;
     };
     const auto per_slip = [&](double of) { return slip > 0 ? of / slip : 0; };

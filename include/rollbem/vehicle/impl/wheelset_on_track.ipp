@@ -13,9 +13,9 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at,
-                                          const WheelsetSpeeds& speeds, double radius) {
-    const Creepage<double> slip = detail::SlipVelocity(patch, at, speeds, radius).at_reference();
+ROLLBEM_DECL Creepage creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
+                                  double radius) {
+    const Creepage slip = detail::SlipVelocity(patch, at, speeds, radius).at_reference();
     const double speed = std::abs(rolling_velocity_of(patch, speeds));
     return {slip.longitudinal / speed, slip.lateral / speed, slip.spin / speed};
 }
@@ -25,7 +25,7 @@ ROLLBEM_DECL Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const Wheel
                                              const Eigen::ArrayXd& s) {
     const detail::SlipVelocity slip(patch, at, speeds, radius);
     const double speed = std::abs(rolling_velocity_of(patch, speeds));
-    const Creepage<double> linear = creepage_of(patch, at, speeds, radius);
+    const Creepage linear = creepage_of(patch, at, speeds, radius);
     const CellGrid& grid = patch.grid;
     const Eigen::ArrayXd middle = (patch.rail_n + patch.wheel_n) / 2;
     Eigen::MatrixX2d rows(x.size(), 2);
@@ -33,19 +33,19 @@ ROLLBEM_DECL Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const Wheel
         const double row = std::clamp((s[i] - grid.y(0)) / grid.dy, 0.0, double(grid.ny - 1) - 1e-9);
         const auto j = static_cast<Eigen::Index>(row);
         const double part = row - double(j), n = (1 - part) * patch.wheel_n[j] + part * patch.wheel_n[j + 1];
-        const Creepage<double> here = slip(x[i], s[i], n, std::atan((middle[j + 1] - middle[j]) / grid.dy));
+        const Creepage here = slip(x[i], s[i], n, std::atan((middle[j + 1] - middle[j]) / grid.dy));
         rows(i, 0) = here.longitudinal / speed - (linear.longitudinal - linear.spin * s[i]);
         rows(i, 1) = here.lateral / speed - (linear.lateral + linear.spin * x[i]);
     }
     return rows;
 }
 
-ROLLBEM_DECL PatchContact<double> contact_of(const RailPatch& patch, const TrackDimensions& dimensions) {
+ROLLBEM_DECL PatchContact contact_of(const RailPatch& patch, const TrackDimensions& dimensions) {
     detail::require(patch.outline.has_value(), "contact_of", "status of the patch", name(patch.status), "be ok");
     return {*patch.outline, dimensions.shear_modulus, dimensions.poisson_ratio};
 }
 
-ROLLBEM_DECL PressureGrid<double> pressure_of(const RailPatch& patch) {
+ROLLBEM_DECL PressureGrid pressure_of(const RailPatch& patch) {
     const CellGrid& grid = patch.grid;
     return {Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1)),
             Eigen::ArrayXd::LinSpaced(grid.ny, grid.y(0), grid.y(grid.ny - 1)), patch.pressure.matrix()};
