@@ -32,7 +32,8 @@ set(units "${PROJECT_SOURCE_DIR}/cmake/units")
 add_library(rollbem_compiled_steady OBJECT "${steady_source}" "${units}/alignment.cpp")
 add_library(rollbem_compiled STATIC
     "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${studies_source}"
-    "${units}/contacts.cpp" "${units}/friction.cpp" "${units}/making.cpp" "${units}/tables.cpp" "${units}/wheelset.cpp"
+    "${units}/adhesion.cpp" "${units}/contacts.cpp" "${units}/friction.cpp" "${units}/loads.cpp" "${units}/making.cpp"
+    "${units}/tables.cpp" "${units}/wheelset.cpp"
     $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)

@@ -60,8 +60,7 @@ enum class Against { exact, spectral, elements, long_double };
 Complex in_long_double(const Scene& s, double z) {
     using Real = long double;
     const auto mesh = rollbem::make_mesh<Real>(s.topology(), s.n(), s.grading.value_or(1));
-    const auto kernel = rollbem::AnyKernel<Real>::longitudinal(
-        s.kernel.model(), rollbem::Contact::dimensionless(s.contact.aspect(), s.contact.poisson_ratio()));
+    const auto kernel = rollbem::AnyKernel<Real>::longitudinal(s.kernel.model(), s.contact);
     const auto& scheme = *s.scheme.get_if<rollbem::Collocation>();
     rollbem::MatrixX<Real> A = rollbem::assemble_G_prime(mesh, scheme, kernel);
     const Eigen::Index n = mesh.size(), size = z == 0 ? n : 2 * n;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include <rollbem/adhesion/detail/decay_proof.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/compiled/adhesion.hpp>
@@ -44,8 +45,8 @@ Solved<Scalar> solved(const PatchContact& contact, const PatchMesh<Scalar>& mesh
 
 template <class Scalar = double>
 Solved<Scalar> solved(double a_over_b, double nu, Eigen::Index n, Eigen::Index m) {
-    const auto contact = PatchContact::dimensionless(static_cast<Scalar>(a_over_b), static_cast<Scalar>(nu));
-    return solved(contact, patch_mesh(contact, n, m));
+    const auto contact = PatchContact::dimensionless(a_over_b, nu);
+    return solved(contact, patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m)));
 }
 
 /// Limits of small elements, extrapolated from up to 48 x 48 elements: errors below 5e-3 (c33) and 1e-3.

@@ -8,7 +8,6 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
-#include "support/scalars.hpp"
 
 namespace state_space_tests {
 namespace {
@@ -80,15 +79,13 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     CHECK(force < 0);
 }
 
-TEMPLATE_TEST_CASE("A state space can be made in every scalar type", "[state_space]", SCALARS) {
-    using Scalar = TestType;
-    const ChebyshevSystem<Scalar> system =
-        rolling_system(Chebyshev{10}, StripKernel<Scalar>(1, Scalar(0.75), Scalar(0.25)));
+TEST_CASE("A state space of Chebyshev states needs no inverse", "[state_space]") {
+    const ChebyshevSystem<double> system = rolling_system(Chebyshev{10}, StripKernel<double>(1, 0.75, 0.25));
     const StateSpace direct = state_space(system),
-                     inverted = state_space(static_cast<const RollingSystem<Scalar>&>(system));
-    const Scalar tolerance = 1000 * std::numeric_limits<Scalar>::epsilon();
+                     inverted = state_space(static_cast<const RollingSystem<double>&>(system));
+    const double tolerance = 1000 * std::numeric_limits<double>::epsilon();
     CHECK((direct.A - inverted.A).cwiseAbs().maxCoeff() < tolerance * direct.A.cwiseAbs().maxCoeff());
-    const Contact contact = Contact::dimensionless(1, Scalar(0.25));
+    const Contact contact = Contact::dimensionless(1, 0.25);
     CHECK(in_si(direct, contact, 3).A == 3 * direct.A);
     CHECK(in_si(direct, contact, 3).C == -2 * direct.C);
 }

@@ -14,7 +14,6 @@
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 #include "support/observed_order.hpp"
-#include "support/scalars.hpp"
 
 namespace transient_breathing_tests {
 namespace {
@@ -361,32 +360,6 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     rigid(Model(contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked));
     rigid(Model(contact, system, unchecked, Integrator::matrix_exponential));
 }
-
-#ifdef ROLLBEM_SLOW_CHECKS
-TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", SCALARS) {
-    using Scalar = TestType;
-    const auto force = []<class Real>(Real) {
-        const Contact contact = Contact::dimensionless(100, Real(0.25));
-        const AdhesionModel<1, Real> model(
-            contact, rolling_system(Chebyshev{.states = 8}, PlaneKernel<Real>(100, Real(0.75), Real(0.25))), unchecked);
-        AdhesionState now = model.at_rest(), next = now;
-        AdhesionWorkspace<1, Real> workspace = model.workspace();
-        AdhesionStep<1, Real> step;
-        for (int k = 1; k <= 64; ++k) {
-            step = model.advance(now, {Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64}, next, workspace);
-            if (step.status != Status::ok) return std::pair(0.0L, 0.0L);
-            std::swap(now, next);
-        }
-        return std::pair(static_cast<long double>(step.force_per_width),
-                         static_cast<long double>(step.tangent_by_half_length));
-    };
-    const auto found = force(Scalar(1)), fine = force(1.0L);
-    const long double eps = std::numeric_limits<Scalar>::epsilon();
-    CHECK(fine.first < -0.5L);
-    CHECK(std::abs(found.first / fine.first - 1) < 100 * eps);
-    CHECK(std::abs(found.second / fine.second - 1) < 1000 * eps);
-}
-#endif
 
 }  // namespace
 }  // namespace transient_breathing_tests

@@ -8,6 +8,8 @@
 
 #include <gsl/gsl_sf_ellint.h>
 
+#include <rollbem/normal/detail/ellipse_pressures.hpp>
+#include <rollbem/normal/detail/elliptic_integrals.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 
 #include "support/catch.hpp"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rollbem/normal/detail/contact_region.hpp>
+#include <rollbem/normal/detail/elliptic_integrals.hpp>
 #include <rollbem/normal/detail/rail_samples.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/rigid_contact.hpp>

@@ -32,8 +32,6 @@ extern template decltype(detail::judge<std::complex<double>, double>) detail::ju
 extern template decltype(detail::solve_copied<std::complex<double>, double>)
     detail::solve_copied<std::complex<double>, double>;
 extern template decltype(solve_response<double>) solve_response<double>;
-extern template class FrequencySweep;
-extern template StateSpace state_space(const RollingSystem<double>&);
 extern template double detail::stable_plane_lambda<double>(const char*, double, double);
 extern template VectorX<double> detail::steady_tractions<double>(MatrixX<double>, Eigen::Index, Eigen::Index);
 extern template void detail::require_convergent<double, ArrayX<double>>(const char*, const VectorX<double>&,

@@ -37,8 +37,6 @@ extern template void detail::require_blocks<double>(const char*, const char*, co
 extern template MatrixX<double> detail::joined<double>(const detail::DirectionBlocks<double>&);
 extern template void detail::require_usable_in_time<double>(const char*, const ElementSystem<double, 2>&,
                                                             const StabilityVerdict&);
-extern template std::array<double, 2> detail::integrate_hemisphere(const Rectangle<double>&);
-extern template ArrayX<double> hertz_pressures(const PatchContact&, const std::vector<Rectangle<double>>&, double);
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;

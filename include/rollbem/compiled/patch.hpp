@@ -11,8 +11,6 @@
 
 namespace rollbem {
 
-extern template class Outline;
-extern template class PatchContact;
 extern template class PatchMesh<double>;
 extern template PatchMesh<double> patch_mesh<double>(const PatchContact&, Mesh<double>, const Mesh<double>&);
 extern template PatchMesh<double> ellipse_mesh<double>(double, Mesh<double>, const Mesh<double>&);

@@ -15,12 +15,4 @@ extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const Eige
 
 }  // namespace Eigen
 
-namespace rollbem {
-
-extern template BalancedReduction balanced_reduction(const StateSpace&, Eigen::Index);
-extern template bool detail::all_decay(const RollingSystem<double>&, double, double, double);
-extern template StabilityResult detail::find_eigenvalues(const RollingSystem<double>&, bool);
-extern template double condition_number(const MatrixX<double>&);
-extern template UnstableCount count_unstable(const RollingSystem<double>&);
-
-}  // namespace rollbem
+namespace rollbem {}  // namespace rollbem

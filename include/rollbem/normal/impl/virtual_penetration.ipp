@@ -12,6 +12,7 @@
 #include "../../detail/gauss_legendre.hpp"
 #include "../../detail/require.hpp"
 #include "../detail/contact_gaps.hpp"
+#include "../detail/elliptic_integrals.hpp"
 #include "../detail/finite_position.hpp"
 #include "../detail/silhouette_search.hpp"
 #include "../hertz_ellipse.hpp"
