@@ -11,8 +11,6 @@
 
 #include "../../detail/array_functions.hpp"
 #include "../../detail/length.hpp"
-#include "../../types.hpp"
-#include "../state.hpp"
 
 namespace rollbem::detail {
 

@@ -8,7 +8,6 @@
 #include "../../system/centre_values.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "roles.hpp"
 
 namespace rollbem::detail {
