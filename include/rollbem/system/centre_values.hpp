@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,6 +28,7 @@ public:
             values.place(i, edge + widths[i] / 2, points);
             edge += widths[i];
         }
+        values.find_shares();
         return values;
     }
     /// Strips with equations half an element ahead of the centres: means of an element's own value and the value of the
@@ -50,6 +52,10 @@ public:
         return behind + between.share * (values[between.ahead] - behind);
     }
 
+    /// Where every element but the first lies between the one behind and itself: the place of the centres of these, from
+    /// behind. Otherwise empty.
+    const ArrayX<Scalar>& shares() const { return shares_; }
+
 private:
     // Two equations, and the place of a centre between their points, from 0 to 1 unless it is extrapolated.
     struct Between {
@@ -61,6 +67,16 @@ private:
         for (Index i = 0; i < n; ++i) between_[static_cast<std::size_t>(i)] = {i, i};
     }
 
+    void find_shares() {
+        const Index n = static_cast<Index>(between_.size());
+        ArrayX<Scalar> shares(n - 1);
+        for (Index i = 1; i < n; ++i) {
+            const Between& own = between_[static_cast<std::size_t>(i)];
+            if (own.behind != i - 1 || own.ahead != i) return;
+            shares[i - 1] = own.share;
+        }
+        shares_ = std::move(shares);
+    }
     // Places the centre of an element; `centre` is its 1 + x/a.
     void place(Index element, Scalar centre, const ArrayX<Scalar>& points) {
         const Index n = static_cast<Index>(between_.size());
@@ -75,6 +91,7 @@ private:
     }
 
     std::vector<Between> between_;
+    ArrayX<Scalar> shares_;
 };
 
 }  // namespace rollbem::detail

@@ -9,12 +9,10 @@
 #include <Eigen/Core>
 
 #include "../../rolling/time_step.hpp"
-#include "../../scene/directions.hpp"
 #include "../../system/along_contact.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
-#include "../state.hpp"
 #include "slip_dependent_friction.hpp"
 #include "stick_slip.hpp"
 

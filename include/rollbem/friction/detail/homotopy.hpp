@@ -12,7 +12,6 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "problem_view.hpp"
 #include "roles.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -153,7 +154,8 @@ struct StepScratch {
           first(Vectors<directions>::Zero(n, directions)),
           change(first),
           slip(first),
-          work(VectorX<double>::Zero(n)) {
+          work(VectorX<double>::Zero(n)),
+          pressure(ArrayX<double>::Zero(n)) {
         start.fill(first);
         displacement.fill(first);
     }
@@ -169,8 +171,22 @@ struct StepScratch {
     OfHistories start, displacement;  ///< tractions and displacements from which a stage starts
     Vectors<directions> first;        ///< tractions after the first of two stages
     Vectors<directions> change;       ///< slip of the stage, weighted
-    Vectors<directions> slip;         ///< summed over the stages
-    VectorX<double> work;             ///< summed over the stages
+    Vectors<directions> slip;         ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
+    double slip_unit = 1;
+    VectorX<double> work;  ///< summed over the stages
+    /// Pressures of the present bounds, which are valid [Pa], and bound per pressure; 0 if bounds are of no load.
+    ArrayX<double> pressure;
+    double bound_per_pressure = 0;
+
+    bool is_of(const ArrayX<double>& normal_pressure, double per_pressure) const {
+        return bound_per_pressure == per_pressure && has(normal_pressure);
+    }
+    /// Whether these pressures are known to be valid.
+    bool has(const ArrayX<double>& normal_pressure) const {
+        return bound_per_pressure > 0 && normal_pressure.size() >= pressure.size() &&
+               std::memcmp(normal_pressure.data(), pressure.data(),
+                           static_cast<std::size_t>(pressure.size()) * sizeof(double)) == 0;
+    }
 };
 
 /// What a step is solved from, and its memory: references to values of the caller, made on the stack for one step.
@@ -216,7 +232,6 @@ void begin(const StepView<directions>& view) {
     if (asked[By::load])
         scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();
 
-    scratch.slip.setZero();
     scratch.work.setZero();
     scratch.problem.two_histories = contact.rotates && !step.steady;
     for (std::size_t k = 0; k < view.histories(); ++k) {
@@ -258,9 +273,13 @@ template <int directions>
 void set_bounds(const StepView<directions>& view, const Stage<directions>& now) {
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
+    const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
+    if (is_whole && scratch.is_of(load.pressure, contact.bound_per_pressure())) return;
+    scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
+    if (is_whole) scratch.pressure = load.pressure.head(contact.size());
     VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
     const auto end = load.pressure.head(contact.size());
-    if (load.pressure_rate == nullptr || now.place.is_last()) {
+    if (is_whole) {
         bound = contact.bound_per_pressure() * end.matrix();
     } else {
         const auto& start = from.normal_pressure;
@@ -285,8 +304,11 @@ void set_problem(const StepView<directions>& view, const Stage<directions>& now)
         }
         // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
         // first
-        const bool has_decayed = c.cwiseAbs().maxCoeff() < negligible<double> && all_finite(c);
-        if (has_decayed) c.setZero();
+        scratch.problem.measure(k);
+        double& imposed = scratch.problem.imposed[k];
+        if (!(imposed < negligible<double> && all_finite(c))) continue;
+        c.setZero();
+        imposed = 0;
     }
 }
 
@@ -309,20 +331,17 @@ void solve_stage(const StepView<directions>& view, const Stage<directions>& now,
     result.complementarity_residual = (std::max)(result.complementarity_residual, solution.residual);
     result.rounds += solution.rounds;
     result.path_points += solution.path_points;
-    if (!is_finite(solution.residual) || !all_finite(solution.slip())) {  // std::max may drop a NaN
+    if (!is_finite(solution.residual)) {  // std::max may drop a NaN
         result.status = Status::not_finite;
     } else if (solution.status != Status::ok && result.status != Status::not_finite) {
         result.status = solution.status;
     }
-    scratch.change = now.weight * solution.slip();
-    scratch.slip += scratch.change;
-    for (std::size_t k = 0; k < view.histories(); ++k) {
-        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
-    }
+    Vectors<directions>& slip = now.place.is_second ? scratch.change : scratch.slip;
+    slip = (now.weight * solution.slip().array() + 0.0).matrix();  // no zero is negative
+    if (now.place.is_second) scratch.slip += slip;
     const SemiAxes axes = now.geometry.axes();
     for (Index d = 0; d < directions; ++d) {
-        contact.work.add(solution.traction().col(d), scratch.change.col(d), scratch.work,
-                         axes.half_length * axes.half_width);
+        contact.work.add(solution.traction().col(d), slip.col(d), scratch.work, axes.half_length * axes.half_width);
     }
 }
 
@@ -330,8 +349,10 @@ void solve_stage(const StepView<directions>& view, const Stage<directions>& now,
 template <int directions>
 void start_second(const StepView<directions>& view, const Stage<directions>& now) {
     StepScratch<directions>& scratch = view.scratch;
-    if (view.contact.varies()) scratch.first = scratch.solution.traction();
+    const StageSolution<directions>& solution = scratch.solution;
+    if (view.contact.varies()) scratch.first = solution.traction();
     for (std::size_t k = 0; k < view.histories(); ++k) {
+        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
         Vectors<directions>& U = scratch.displacement[k];
         find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
         U += now.place.ratio() * (scratch.change - U);
@@ -488,7 +509,10 @@ double jump_work(const StepView<directions>& view) {
     const Vectors<directions>& end = scratch.solution.traction();
     const double unit = contact.energy_unit(step.end);
     change = end - start;
-    if (!step.rolls()) return unit * contact.work.product(change, scratch.slip) / (2 * contact.units.length);
+    if (!step.rolls()) {
+        displacement = contact.units.length * scratch.slip;
+        return unit * contact.work.product(change, displacement) / (2 * contact.units.length);
+    }
     const bool two_stages = step.stage_count() == 2;
     if (two_stages) scratch.first -= start;
     // the tractions have settled: J is below the rounding of the energies
@@ -511,9 +535,8 @@ void finish(const StepView<directions>& view, FrictionStep& result, FrictionStat
     const auto& [contact, step, from, load, scratch] = view;
     const ContactUnits& units = contact.units;
     const StageSolution<directions>& solution = scratch.solution;
-    const double slip_unit = step.steady ? 1.0 : units.length;
-    contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * slip_unit);
-    scratch.slip *= slip_unit;
+    scratch.slip_unit = step.steady ? 1.0 : units.length;
+    contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * scratch.slip_unit);
     const InputVector<directions> forces = contact.forces.of(solution.traction(), step.end);
     result.force = raised<directions>(forces, contact.direction);
     result.slip_work = scratch.work.sum();
@@ -526,13 +549,13 @@ void finish(const StepView<directions>& view, FrictionStep& result, FrictionStat
     }
     result.jump_work = jump_work(view);
     result.stick_count = solution.stick_count;
-    if (directions == 1) to.traction.setZero();
+    if (directions == 1) to.traction.col(1 - contact.direction).setZero();
     contact.along(to.traction) = units.shear_modulus * solution.traction();
     if constexpr (directions == 2) {
         if (contact.rotates) to.unrotated_traction = units.shear_modulus * solution.pass[0].traction;
     }
     to.zones = solution.zones;
-    to.normal_pressure = load.pressure.head(contact.size());
+    std::copy_n(load.pressure.data(), contact.size(), to.normal_pressure.data());
     to.half_length = load.half_length;
     to.half_width = load.half_width;
     to.system = contact.fingerprint;

@@ -164,7 +164,7 @@ Status check_state(const ContactData<directions>& contact, const FrictionRequest
         return Status::wrong_state;
     }
     const bool valid = is_positive(from.half_length) && (contact.units.line || is_positive(from.half_width)) &&
-                       all_pressures(from.normal_pressure);
+                       (scratch->of(contact)->has(from.normal_pressure) || all_pressures(from.normal_pressure));
     return valid ? Status::ok : Status::invalid_load;
 }
 
@@ -268,10 +268,10 @@ ROLLBEM_DECL FrictionWorkspace& FrictionWorkspace::operator=(FrictionWorkspace o
 ROLLBEM_DECL FrictionWorkspace::~FrictionWorkspace() = default;
 
 ROLLBEM_DECL ElementVectors FrictionWorkspace::slip() const {
-    if (const auto* both = std::get_if<1>(&scratch_->steps)) return both->slip;
-    const auto& along = std::get_if<0>(&scratch_->steps)->slip;
-    ElementVectors slip = ElementVectors::Zero(along.size(), 2);
-    slip.col(scratch_->direction) = along;
+    if (const auto* both = std::get_if<1>(&scratch_->steps)) return both->slip_unit * both->slip;
+    const auto* const one = std::get_if<0>(&scratch_->steps);
+    ElementVectors slip = ElementVectors::Zero(one->slip.size(), 2);
+    slip.col(scratch_->direction) = one->slip_unit * one->slip;
     return slip;
 }
 ROLLBEM_DECL const VectorX<double>& FrictionWorkspace::slip_work() const {

@@ -153,9 +153,9 @@ public:
 private:
     static constexpr double mu = 0.3;
     struct Judged {
-        const WheelNode* node;
-        double vertical;
-        std::array<RollingForces, 3> friction;
+        const WheelNode* node = nullptr;
+        double vertical = 0;
+        std::array<RollingForces, 3> friction{};
     };
 
     std::vector<ContactZones> candidates(const ContactZones& from) const {
