@@ -359,7 +359,7 @@ private:
 
     /// Forces on the ellipse of a zone at its own creepages, without derivatives.
     Status creep_forces(Pass<double>& pass, std::size_t zone, const std::array<double, 3>& own) const {
-        Contact& found = pass.contacts[zone];
+        ZoneContact<double>& found = pass.contacts[zone];
         const Creepage creepage{own[0], own[1], own[2]};
         const PatchContact::Parameters axes = ellipse(found.half_length, found.half_width);
         const double mu = input(WheelForces::mu) * friction_.factor[zone], N = found.normal;
