@@ -60,7 +60,6 @@ public:
         if (are_of(matrix, roles)) return is_usable_;
         if (matrix_revision_ != matrix.revision()) {
             nested_count_ = 0;
-            ++placement_;
             placed_.setZero();
             product_.setZero();
         }
