@@ -60,7 +60,6 @@ public:
         if (are_of(matrix, roles)) return is_usable_;
         if (matrix_revision_ != matrix.revision()) {
             nested_count_ = 0;
-            ++placement_;
             placed_.setZero();
             product_.setZero();
         }
@@ -89,7 +88,11 @@ public:
     /// complete() with the tractions kept, if keeps(); p need not hold them.
     void complete_again(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
         is_loaded_ = kept_.is_loaded;
-        for (Index k = 0; k < others(); ++k) p[other(k)] = is_loaded_ ? placed_[other(k)] : 0.0;
+        if (is_loaded_) {
+            std::copy_n(placed_.data(), p.size(), p.data());
+        } else {
+            p.setZero();
+        }
         complete_placed(matrix.group(0), base, p, s);
     }
 

@@ -23,7 +23,6 @@
 #include "condensed_slip.hpp"
 #include "homotopy.hpp"
 #include "nested_stick.hpp"
-#include "problem_view.hpp"
 #include "roles.hpp"
 #include "slip_direction_system.hpp"
 #include "slip_matrix.hpp"
