@@ -51,7 +51,7 @@ void add_steady_options(study::Options& options) {
         .not_with("transient");
     options
         .add_table("tractions",
-                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml beside "
+                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml next to "
                    "it; none without it")
         .not_with("transient");
     options

@@ -293,7 +293,7 @@ void add_friction_options(study::Options& options) {
                       "outline in its unit; Hertz's pressure without it, of an ellipse");
     options.add_table(
         "tractions",
-        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
+        "CSV file of the tractions of steady friction, one row per element, with FILE.toml next to it; none without it");
 }
 
 std::vector<std::string> ways_of_friction() {
