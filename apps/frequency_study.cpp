@@ -274,7 +274,7 @@ study::Picture draw_response(const study::Records& rows, const Job& job) {
     const auto [lowest, highest] = std::minmax_element(job.omegas.begin(), job.omegas.end());
     const study::PlotAxis omega{"ω a / V", *lowest > 0 && *highest > 20 * *lowest};
     const std::string title = "Harmonic creepage";
-    study::Plot argand{.title = title, .x = {"Re c_{11}"}, .y = {"Im c_{11}"}};
+    study::Plot argand{.title = title, .x = {"Re c_{11}"}, .y = {"Im c_{11}"}, .to_scale = true};
     study::Plot parts{.title = title, .x = omega, .y = {"Re c_{11}, Im c_{11}"}};
     study::Plot errors{.title = title, .x = omega, .y = {"|c_{11} / c_{11,exact} - 1|", true}};
     const auto add = [&](study::Plot& plot, const std::string& x, const std::string& part, const std::string& prefix) {

@@ -185,7 +185,7 @@ study::StateSpaceWords words_of_equations(const Patch& patch) {
 
 /// The text of --help; `columns` name the coefficients.
 std::string help(const std::string& columns) {
-    return R"(Examples: Kalker's creep coefficients over a/b, beside his table; a triangle, pointed in front
+    return R"(Examples: Kalker's creep coefficients over a/b, against his table; a triangle, pointed in front
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
   printf 'y,x_trailing,x_leading\n-1,-1,-1\n0,-1,2\n1,-1,-1\n' > triangle.csv
   patch_study --n 12 --outline triangle.csv --strips 12
@@ -224,7 +224,7 @@ elements and strips.
 spin the rigid slip vanishes.
 
 --transient: creepages have one value each, or a --history, and are scaled as above by N_0, a_0 and b_0, the values at
-load_ratio 1. Rigid shifts, shift_x and shift_y of a --history, displace the bodies besides. Where a shift or the force
+load_ratio 1. Rigid shifts, shift_x and shift_y of a --history, displace the bodies in addition. Where a shift or the force
 jumps, the bodies move without rolling, in the time of a step; a jump at q = 0 has a row of its own. p_0 is
 3 N/(2 pi a b) always. One row for each step:
 )" + patch::transient_help() +

@@ -1,5 +1,5 @@
 // Stability in the time domain: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number,
-// and the signs that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the
+// and the signs that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues against the
 // exact ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
@@ -114,12 +114,12 @@ std::vector<std::string> map_axes(const study::Records& rows) {
 /// The share of growing modes over the swept quantity, or as a map over two.
 study::Picture draw_counts(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     if (const std::vector<std::string> axes = map_axes(rows); !axes.empty()) {
-        study::Plot plot{.title = "Stability, n = " + std::to_string(scenes.front().n()),
+        study::Plot plot{.title = "Stability",
                          .x = {study::shown_name(axes[1])},
                          .y = {study::shown_name(axes[0])},
                          .colours = "share of unstable eigenvalues"};
-        if (axes[0] == "n") plot.title = "Stability";
-        plot.series.push_back(study::map_of(rows, axes[1], axes[0], "unstable_fraction"));
+        counts.draw(plot, rows, {.x = axes[1], .y = "unstable_fraction"}, {axes[0]});  // for its title
+        plot.series = study::map_of(rows, axes[1], axes[0], "unstable_fraction");
         return {plot};
     }
     const study::Axis x = study::most_varied(scenes);
@@ -341,7 +341,7 @@ int main(int argc, char** argv) {
                   "to 1e-5, in place of counts")
         .only_with({"method=collocation", "method=galerkin"}, ": others have no alpha_T")
         .not_with("spectrum");
-    options.add_flag("spectrum", "table of all eigenvalues, each beside the nearest exact one, in place of counts");
+    options.add_flag("spectrum", "table of all eigenvalues, each with the nearest exact one, in place of counts");
     options.not_with({"alpha-T"}, "critical", ", which searches for it");
     options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
     study::offer_chebyshev(options);

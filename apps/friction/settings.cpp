@@ -50,9 +50,10 @@ void add_steady_options(study::Options& options) {
         .only_with(study::friction_law_options())
         .not_with("transient");
     options
-        .add_table("tractions",
-                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml beside "
-                   "it; none without it")
+        .add_table(
+            "tractions",
+            "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml next to "
+            "it; none without it")
         .not_with("transient");
     options
         .add_flag("fit-border", "exact border between slip and stick, by series; n elements are used where that fails")

@@ -107,7 +107,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const R
     const rollbem::PatchContact& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
     study::Plot plot{"Patch from above", {"x / c, rolling to the right"}, {"y / c"}};
-    plot.to_scale = true;
+    plot.to_scale = plot.y_down = true;
     if (tractions.rows.empty()) return plot;  // of another shard
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +

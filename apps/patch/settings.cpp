@@ -290,9 +290,9 @@ void add_friction_options(study::Options& options) {
                       "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
                       "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
                       "outline in its unit; Hertz's pressure without it, of an ellipse");
-    options.add_table(
-        "tractions",
-        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
+    options.add_table("tractions",
+                      "CSV file of the tractions of steady friction, one row per element, with FILE.toml next to it; "
+                      "none without it");
 }
 
 std::vector<std::string> ways_of_friction() {

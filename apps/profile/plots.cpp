@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -33,6 +34,7 @@ study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t witho
                           .y = {"s [mm]"},
                           .colours = "p / p_{max}",
                           .to_scale = true,
+                          .y_down = true,
                           .series = {std::move(pressure), std::move(edge)}});
     }
     if (without > 0 && !panels.empty()) {
@@ -43,13 +45,14 @@ study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t witho
 }
 
 study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& all) {
-    constexpr double apart = 25;  // of the profiles [mm]
+    constexpr double apart = 25, room = 13;  // of the profiles, and of numbers above them [mm]
     study::Picture panels;
     for (const std::string side : {"left", "right"}) {
         const rollbem::WheelOnRail& wheel = wheelset.wheel(side == "left" ? Side::left : Side::right);
         const double offset = 1e3 * (wheel.wheel_origin() - wheel.rail_origin()),
                      rail_z = 1e3 * wheel.geometry().rail_origin().z;
         study::Series joined{"contact points"};
+        std::vector<study::PlotNote> shifts;
         const study::Records rows = all.with("side", side);
         std::size_t without = 0;
         for (const study::Row& row : rows.rows) {
@@ -61,7 +64,9 @@ study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, con
             joined.points.emplace_back(in_mm("rail_y"), in_mm("z") - rail_z);
             joined.points.emplace_back(offset + in_mm("wheel_y"),
                                        in_mm("rolling_radius") - 1e3 * wheel.dimensions().radius - apart);
+            const auto [y, z] = joined.points.back();
             joined.points.emplace_back(std::nan(""), 0);
+            shifts.push_back({y, z, study::Cell(in_mm("shift")).text(3)});
         }
         if (rows.rows.empty()) continue;
         const auto curve = [](const rollbem::Profile& profile, double dy, double dz, study::Series series) {
@@ -70,16 +75,24 @@ study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, con
             }
             return series;
         };
-        panels.push_back(
-            {.title = "Where the " + side + " wheel touches the rail, over the lateral shift" +
-                      (without == 0 ? ""
-                                    : "; " + std::to_string(without) + " of " + std::to_string(rows.rows.size()) +
-                                          " rows have none"),
-             .x = {"y from the rail's origin, field side to the right [mm]"},
-             .y = {"z [mm]"},
-             .to_scale = true,
-             .series = {curve(wheel.rail(), 0, 0, {"rail", study::Look::outline}),
-                        curve(wheel.wheel(), offset, -apart, {"wheel", study::Look::exact}), std::move(joined)}});
+        std::vector<study::Series> series{
+            curve(wheel.rail(), 0, 0, {"rail", study::Look::outline}),
+            curve(wheel.wheel(), offset, -apart, {"wheel, lifted by 25 mm", study::Look::exact})};
+        study::PlotRange range{0, 0};
+        for (const study::Series& one : series) {
+            for (const auto& [y, z] : one.points) range = {std::min(range.low, z - room), std::max(range.high, z + 1)};
+        }
+        series.push_back(std::move(joined));
+        panels.push_back({.title = "Where the " + side + " wheel touches the rail; numbers: lateral shift [mm]" +
+                                   (without == 0 ? ""
+                                                 : "; " + std::to_string(without) + " of " +
+                                                       std::to_string(rows.rows.size()) + " rows have none"),
+                          .x = {"y from the rail's origin, field side to the right [mm]"},
+                          .y = {.label = "z [mm]", .range = range},
+                          .to_scale = true,
+                          .y_down = true,
+                          .series = std::move(series),
+                          .notes = std::move(shifts)});
     }
     return panels;
 }

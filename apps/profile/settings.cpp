@@ -40,7 +40,7 @@ void add_position_options(study::Options& options) {
                 "on");
     options.add("cells", "NX,NS",
                 "numbers of cells across the region that touches, along x and s [dimensionless], 10 to 1000 each; "
-                "regions with lobes have more",
+                "more where pressures have several maxima",
                 "40,20");
 }
 
@@ -75,7 +75,7 @@ void add_friction_options(study::Options& options) {
     options
         .add("strips", "M",
              "number of strips of a patch [dimensionless], 1 to 100; fewer where rolling would gain energy; default: "
-             "13, up to 25 where a patch has lobes")
+             "13, up to 25 where pressures have several maxima")
         .only_with(with_friction);
     options
         .add("slip", "NAME",

@@ -51,7 +51,7 @@ grep -q 'viewBox="0 0 600 ' p.svg &&
     fail "letters: $(grep -o 'font-size="[0-9.]*"' p.svg | sort -u)"
 # no legend for a single curve, a long title in two lines; labels at the ends of curves, a legend where they coincide
 draws steady_study --n 10,20
-title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
+title 'Steady rolling, collocation, finite differences, uniform mesh, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
 draws steady_study --n 20,40 --alpha-T 0.5,0.7
 shows 'αT = 0.5' 'αT = 0.7'
