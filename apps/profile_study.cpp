@@ -43,25 +43,7 @@ struct Contacts {
 
 Contacts find_contacts(const Settings& settings, const Case& at) {
     const auto start = std::chrono::steady_clock::now();
-    rollbem::WheelsetOnTrack::Workspace workspace;
-    using Free = rollbem::WheelsetOnTrack::Free;
-    const rollbem::WheelsetRolling rolling{
-        .position = {at.shift, at.height.value_or(0), at.roll.value_or(0), at.yaw, at.along, at.pitch},
-        .loads = {settings.load, settings.load},
-        .free = at.height ? Free::nothing
-                : at.roll ? Free::height
-                          : Free::height_and_roll,
-        .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
-        .free_pitch = !at.pitch_rate,
-        .force = settings.force,
-        .loads_include_friction = settings.loads_include_friction};
-    Contacts contacts;
-    if (settings.friction) {
-        contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);
-    } else {
-        contacts.of.contacts =
-            settings.wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
-    }
+    Contacts contacts{.of = forces_at(settings, settings.wheelset, at)};
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (const Side side : settings.sides) {
         if (settings.stress.empty()) break;
@@ -212,7 +194,7 @@ Columns friction_columns() {
             {"slip_power", "power that friction turns into heat [W]",
              study::where(&Found::solved,
                           [](const Found& f) {
-                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
+                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed_of(f.at),
                                                                    .pitch_rate = f.contacts.of.pitch_rate};
                               return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
                           })},
@@ -479,8 +461,13 @@ int main(int argc, char** argv) {
         } else {
             const Settings settings = profile::read_settings(given);
             study::OutputFiles files;
-            Run run(settings, files);
-            study::write_table(given, patch_table(run, files), files);
+            if (settings.wear_plan) {
+                profile::WearRun wear(settings);
+                study::write_table(given, wear.table(files), files);
+            } else {
+                Run run(settings, files);
+                study::write_table(given, patch_table(run, files), files);
+            }
         }
         return study::exit_ok;
     });

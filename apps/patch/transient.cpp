@@ -49,7 +49,7 @@ rollbem::FrictionModel make_contact(const TimeScene& scene, const Patch& patch, 
         if (!verdict.stable()) {
             throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
         }
-        return rollbem::FrictionModel(contact, std::move(system), verdict, rollbem::Friction{1, pressures},
+        return rollbem::FrictionModel(contact, std::move(system), verdict, friction_of(scene.law, patch, pressures),
                                       scene.run.integrator);
     };
     return study::blame(patch.label() + " cannot be stepped", [&]() -> rollbem::FrictionModel {
@@ -121,11 +121,10 @@ struct TimeRow {
     double work(double value) const { return value * patch.contact.c() / (mu_N(patch) * mu_N(patch)); }
 };
 
-const study::Sheet<TimeRow, Patch>& time_sheet() {
+study::Sheet<TimeRow, Patch> time_sheet(bool falls) {
     using R = TimeRow;
     using friction::if_computed, friction::if_valid;
-    static const study::Sheet<R, Patch> columns{
-        identity,
+    std::vector<study::Column<R>> columns =
         study::joined<study::Column<R>>(
             {{"q_over_a", "distance rolled q/a_0; the first row is at q = dq", [](const R& r) { return r.moment.q; }},
              {"load_ratio", "load N/N_0", &R::load_ratio},
@@ -165,14 +164,21 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
                 {{"shift_x", "rigid shift along x of this row over a_0, times G a b/(mu N), given or found for --force",
                   [](const R& r) { return r.moment.shift.longitudinal / r.patch.contact.half_length(); }},
                  {"shift_y", "rigid shift along y of this row, likewise",
-                  [](const R& r) { return r.moment.shift.lateral / r.patch.contact.half_length(); }}})),
-        distinctions};
-    return columns;
+                  [](const R& r) { return r.moment.shift.lateral / r.patch.contact.half_length(); }}}));
+    if (falls) {
+        columns.push_back({"jump_work",
+                           "with --falling: elastic energy that jumps of the tractions have released, which creep_work "
+                           "contains besides, in the unit of works",
+                           if_valid([](const R& r) { return r.work(r.moment.jump_work); })});
+        columns = study::joined(
+            columns, study::friction_law_columns<R>([](const R& r) -> const auto& { return r.scene.law; }));
+    }
+    return {identity, columns, distinctions};
 }
 
 }  // namespace
 
-std::string transient_help() { return time_sheet().help(); }
+std::string transient_help() { return time_sheet(true).help(); }
 
 study::Table transient_table(const TimeScene& scene) {
     const bool by_force = scene.run.by_force();
@@ -182,7 +188,7 @@ study::Table transient_table(const TimeScene& scene) {
         return TimeRow{scene, point, patch, moment};
     };
     study::Table table = friction::rolling_table(
-        time_sheet(), scene.patches, scene.run, [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
+        time_sheet(scene.law.has_value()), scene.patches, scene.run, [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
     table.plot = [&, by_force](const study::Records& rows) {
         return draw_in_time(rows, scene.run.load_varies(), by_force);
     };
