@@ -62,47 +62,45 @@ FrictionColumns further_columns(bool falls, bool si) {
 
 study::Sheet<FrictionRow, Patch> friction_sheet(bool falls, bool si) {
     using R = FrictionRow;
-    const FrictionColumns forces =
-        study::joined(
-            creepage_columns<R>(),
-            {{"longitudinal_force", "longitudinal force -F_x/(mu N)",
-              if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
-             {"lateral_force", "lateral force -F_y/(mu N)",
-              if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
-             {"spin_moment", "moment -M_z/(mu N c)",
-              if_ok([](const R& r) { return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch); })},
-             {"stick_count", "number of elements that stick", [](const R& r) { return r.step.stick_count; }},
-             {"rounds", "number of Newton steps", [](const R& r) { return r.step.rounds; }},
-             {"complementarity_residual", "largest violation of Coulomb's law",
-              [](const R& r) { return r.step.complementarity_residual; }},
-             {"time_us", "time of the solution, matrices ready [microseconds]", &R::time_us},
-             {"status", "ok, or why forces and tractions are empty", [](const R& r) { return name(r.step.status); }}});
+    const FrictionColumns forces = study::joined(
+        creepage_columns<R>(),
+        {{"longitudinal_force", "longitudinal force -F_x/(mu N)",
+          if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
+         {"lateral_force", "lateral force -F_y/(mu N)",
+          if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
+         {"spin_moment", "moment -M_z/(mu N c)",
+          if_ok([](const R& r) { return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch); })},
+         {"stick_count", "number of elements that stick", [](const R& r) { return r.step.stick_count; }},
+         {"rounds", "number of Newton steps", [](const R& r) { return r.step.rounds; }},
+         {"complementarity_residual", "largest violation of Coulomb's law",
+          [](const R& r) { return r.step.complementarity_residual; }},
+         {"time_us", "time of the solution, matrices ready [microseconds]", &R::time_us},
+         {"status", "ok, or why forces and tractions are empty", [](const R& r) { return name(r.step.status); }}});
     return {identity, study::joined(forces, further_columns(falls, si)), distinctions};
 }
 
 study::Sheet<FrictionRow, Patch> traction_sheet(bool falls) {
     using R = FrictionRow;
-    FrictionColumns columns =
-        study::joined(creepage_columns<R>(),
-                      {{"x", "centre of the element along x [a, outlines: c]",
-                        [](const R& r) { return r.elements.centre_x[r.i]; }},
-                       {"y", "centre of the element along y [b, outlines: c]",
-                        [](const R& r) { return r.elements.centre_y[r.i] * r.patch.contact.a_over_b(); }},
-                       {"width", "width of the element along x [a, outlines: c]",
-                        [](const R& r) { return r.elements.areas[r.i] / r.strip_width(); }},
-                       {"strip_width", "width of the element along y [b, outlines: c]",
-                        [](const R& r) { return r.strip_width() * r.patch.contact.a_over_b(); }},
-                       {"pressure_bound", "bound mu p_n of the traction [mu p_0 = 3 mu N/(2 pi a b)]",
-                        [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
-                       {"traction_x", "tractions along x and y [mu p_0]",
-                        if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
-                       {"traction_y", "", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
-                       {"slip_x", "slip along x and y [largest rigid slip of the patch]",
-                        if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
-                       {"slip_y", "", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
-                       {"stick", "1 where the element sticks, else 0",
-                        if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
-                       {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}});
+    FrictionColumns columns = study::joined(
+        creepage_columns<R>(),
+        {{"x", "centre of the element along x [a, outlines: c]", [](const R& r) { return r.elements.centre_x[r.i]; }},
+         {"y", "centre of the element along y [b, outlines: c]",
+          [](const R& r) { return r.elements.centre_y[r.i] * r.patch.contact.a_over_b(); }},
+         {"width", "width of the element along x [a, outlines: c]",
+          [](const R& r) { return r.elements.areas[r.i] / r.strip_width(); }},
+         {"strip_width", "width of the element along y [b, outlines: c]",
+          [](const R& r) { return r.strip_width() * r.patch.contact.a_over_b(); }},
+         {"pressure_bound", "bound mu p_n of the traction [mu p_0 = 3 mu N/(2 pi a b)]",
+          [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
+         {"traction_x", "tractions along x and y [mu p_0]",
+          if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
+         {"traction_y", "", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
+         {"slip_x", "slip along x and y [largest rigid slip of the patch]",
+          if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
+         {"slip_y", "", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
+         {"stick", "1 where the element sticks, else 0",
+          if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
+         {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}});
     if (falls) {
         columns.push_back({"friction", "with --falling: coefficient of friction of the element [mu_0]",
                            if_ok([](const R& r) { return r.state.friction_coefficient[r.i]; })});
@@ -134,7 +132,8 @@ rollbem::Friction friction_of(const std::optional<study::ChosenLaw>& law, const 
     const auto falls = [own = law->law()](double velocity) {
         return own.is_constant() ? own.at_rest() : own.of_slip()(velocity / peak);
     };
-    return {falls, std::move(pressures),
+    return {falls,
+            std::move(pressures),
             {.distance = law->memory.distance * patch.contact.c() * peak,
              .least_velocity = law->memory.least_velocity * peak}};
 }
@@ -144,7 +143,8 @@ study::Table friction_table(const Friction& scene) {
                                            elementwise = traction_sheet(scene.law.has_value());
     study::Table table = study::table_of(forces.names(), scene.patches, scene.points.size());
     study::SideTable& tractions = table.put_beside("tractions", elementwise.names(), scene.keeps_tractions);
-    table.compute = [&scene, &tractions, forces, elementwise](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    table.compute = [&scene, &tractions, forces, elementwise](std::size_t task, study::RowRange range,
+                                                              const study::Emit& emit) {
         const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
         const rollbem::FrictionModel model(patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()),
@@ -166,7 +166,8 @@ study::Table friction_table(const Friction& scene) {
             });
             if (scene.force && step.status != rollbem::Status::ok) point.longitudinal = std::nan("");
             FrictionRow row{
-                scene, patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements), time_us};
+                scene,  patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements),
+                time_us};
             emit(forces.row(patch, row));
             for (; tractions.wanted && row.i < elements.size(); ++row.i) {
                 tractions.rows[task].push_back(elementwise.row(patch, row));

@@ -137,7 +137,8 @@ SiScene read_si(const study::Options& options) {
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
     SiScene scene{positive("normal-load"), positive("friction"),      positive("half-length"),
                   positive("half-width"),  positive("shear-modulus"), options.row("creepage", 3)};
-    options.require(!scene.creepage.empty(), "creepage", "be three numbers with commas between them: xi, eta, phi [1/m]");
+    options.require(!scene.creepage.empty(), "creepage",
+                    "be three numbers with commas between them: xi, eta, phi [1/m]");
     options.require(study::between(1e-6, 1e6).holds(scene.a / scene.b), "half-length",
                     "be 1e-6 to 1e6 times --half-width");
     return scene;
@@ -286,7 +287,9 @@ void require_no_gain(const study::Options& options, const std::vector<Patch>& pa
         const Eigen::Matrix3d C = steady.coefficients;
         options.require(steady.status != rollbem::Status::ok ||
                             Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
-                        options.given("spin") ? "spin" : options.given("creepage") ? "creepage" : "history",
+                        options.given("spin")       ? "spin"
+                        : options.given("creepage") ? "creepage"
+                                                    : "history",
                         "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
     }
 }
@@ -323,10 +326,11 @@ void add_friction_options(study::Options& options) {
                       "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
                       "outline in its unit; Hertz's pressure without it, of an ellipse");
     study::add_friction_laws(options);
-    options.set_help("memory",
-                     "memory of friction: distance D of slip [c mu_0 p_0/G], above 0, within which mu follows its law, "
-                     "passed at a velocity of at least V0 [V mu_0 p_0/G], 0 or more; mu follows its law at once without "
-                     "it");
+    options.set_help(
+        "memory",
+        "memory of friction: distance D of slip [c mu_0 p_0/G], above 0, within which mu follows its law, "
+        "passed at a velocity of at least V0 [V mu_0 p_0/G], 0 or more; mu follows its law at once without "
+        "it");
     options.add_table(
         "tractions",
         "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
@@ -342,12 +346,13 @@ void add_si_options(study::Options& options) {
     options.add("creepage", "XI,ETA,PHI",
                 "creepages [dimensionless] and spin [1/m] for friction, in place of ratios; the forces in N and N m");
     for (const char* ratio : {"a-over-b", "outline", "longitudinal", "lateral", "spin", "step", "ramp", "sine",
-                                     "history", "force", "transient", "stability", "omega", "state-space"}) {
+                              "history", "force", "transient", "stability", "omega", "state-space"}) {
         options.not_with({ratio}, "creepage");
     }
     const std::vector<std::string> with{"creepage"};
     options.add("normal-load", "N", "load of the ellipse [N], above 0").only_with(with);
-    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling").only_with(with);
+    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling")
+        .only_with(with);
     options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
     options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);
     options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], above 0").only_with(with);
@@ -363,6 +368,20 @@ void add_transient_options(study::Options& options) {
         "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
         "without it, and with --breathing=false, the mesh covers the largest ellipse");
 }
+
+namespace {
+
+/// The law of friction. Throws BadInput if it has a memory, which belongs to particles, on patches of several strips.
+std::optional<study::ChosenLaw> read_law(const study::Options& options, const std::vector<Patch>& patches) {
+    std::optional<study::ChosenLaw> law = study::read_friction_law(options);
+    const bool several =
+        std::any_of(patches.begin(), patches.end(), [](const Patch& patch) { return patch.mesh.strip_count() > 1; });
+    options.require(!law || law->memory.distance == 0 || !several, "memory",
+                    "go with --strips 1: the library follows the memory of particles along one strip only");
+    return law;
+}
+
+}  // namespace
 
 Friction read_friction(const study::Options& options, const std::vector<Patch>& patches) {
     std::vector<CreepPoint> points = read_points(options, patches);
@@ -388,7 +407,7 @@ Friction read_friction(const study::Options& options, const std::vector<Patch>& 
                    .from_above = options.given("plot"),
                    .keeps_tractions = options.given("tractions")};
     if (options.given("force")) scene.force = options.number("force", study::finite());
-    scene.law = study::read_friction_law(options);
+    scene.law = read_law(options, patches);
     scene.si = si;
     for (const Patch& patch : patches) scene.pressure(patch);  // before anything is written
     scene.from_above = scene.from_above && scene.points.size() == 1 && !scene.force && patches.size() <= 3;
@@ -402,8 +421,7 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
     TimeScene scene{patches, read_pressure(options),
-                    study::read_run(options, history_columns, study::between(-1e6, 1e6)),
-                    study::read_friction_law(options)};
+                    study::read_run(options, history_columns, study::between(-1e6, 1e6)), read_law(options, patches)};
     const study::History& imposed = scene.run.imposed;
     if (imposed.has("spin")) require_no_gain(options, patches);
     if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;

@@ -49,7 +49,8 @@ study::Picture draw_wear(const std::vector<Worn>& bodies) {
     for (const auto& [name, before, after, body] : bodies) {
         const Eigen::ArrayXd depth = depth_between(before, after, body);
         const double sign = body == rollbem::Profile::Use::wheel ? -1 : 1;
-        study::Series new_one{"before", study::Look::exact}, worn{"after", study::Look::outline}, drawn{"depth times 10"};
+        study::Series new_one{"before", study::Look::exact}, worn{"after", study::Look::outline},
+            drawn{"depth times 10"};
         for (Eigen::Index i = 0; i < before.size(); ++i) {
             new_one.points.emplace_back(1e3 * before.y()[i], 1e3 * before.z()[i]);
         }

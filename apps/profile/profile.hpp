@@ -37,10 +37,10 @@ inline study::Cell scene_cell(const Case& at, const std::string& name) {
 /// Wear of a wheel and its rail over all positions.
 struct WearPlan {
     rollbem::WearLaw law;
-    double step;                          ///< largest depth between two searches of contacts [m]
-    std::string worn_wheel, worn_rail;    ///< files; empty where they are not asked for
-    double cant, tape_offset;             ///< of the profiles as they are read [rad], [m]
-    bool rail;                            ///< whether it wears, too
+    double step;                        ///< largest depth between two searches of contacts [m]
+    std::string worn_wheel, worn_rail;  ///< files; empty where they are not asked for
+    double cant, tape_offset;           ///< of the profiles as they are read [rad], [m]
+    bool rail;                          ///< whether it wears, too
     std::size_t jobs;
 };
 

@@ -154,12 +154,11 @@ std::optional<rollbem::RollingFriction> read_friction(const study::Options& opti
 
 void add_options(study::Options& options) {
     for (const char* mode : {"virtual-penetration", "conicity"}) {
-        options.not_with(
-            {"side",   "yaw",      "positions",   "roll",       "x",     "pitch",       "height",  "interaction",
-             "cells",  "friction", "speed",       "pitch-rate", "force", "layer",       "load-of", "n",
-             "strips", "slip",     "shear-yield", "outline",    "wear",  "temperature", "stress",
-             "wear-law", "wear-step", "worn-wheel", "worn-rail"},
-            mode);
+        options.not_with({"side",        "yaw",    "positions", "roll",      "x",           "pitch",    "height",
+                          "interaction", "cells",  "friction",  "speed",     "pitch-rate",  "force",    "layer",
+                          "load-of",     "n",      "strips",    "slip",      "shear-yield", "outline",  "wear",
+                          "temperature", "stress", "wear-law",  "wear-step", "worn-wheel",  "worn-rail"},
+                         mode);
     }
     options.not_with({"left-wheel", "left-rail", "left-radius", "conicity"}, "virtual-penetration");
     options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
@@ -243,8 +242,7 @@ Positions read_positions(const study::Options& options) {
             require(position_columns()[k].name, columns[k + 2], position_columns()[k].rule);
         }
     };
-    const std::vector<study::Numbers> numbers =
-        study::read_columns(options, "positions", "shift,yaw", further, check);
+    const std::vector<study::Numbers> numbers = study::read_columns(options, "positions", "shift,yaw", further, check);
     options.require(!numbers[0].empty(), "positions", "have a row below its header");
     Positions read;
     for (std::size_t i = 0; i < numbers[0].size(); ++i) read.cases.push_back({numbers[0][i], numbers[1][i], {}, {}});
@@ -341,26 +339,30 @@ Settings read_settings(const study::Options& options) {
     options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
     rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);
     check_surfaces(options, wheelset, positions);
+    if (wear && !wear->worn_rail.empty()) {
+        const rollbem::TrackDimensions::Origin origin = wheelset.wheel(sides[0]).geometry().rail_origin();
+        options.note("--worn-rail: stays where it was with --rail-origin " + study::Cell(origin.y).text() + "," +
+                     study::Cell(origin.z).text());
+    }
     const auto swept = [&](const char* name) { return options.given(name) || positions.has(name); };
-    return {
-        std::move(positions.cases),
-        std::string("shift, yaw") + (swept("x") ? ", track_x" : "") + (swept("pitch") ? ", pitch" : ""),
-        std::move(wheelset),
-        sides,
-        load,
-        {.cells_x = Eigen::Index(cells->first),
-         .cells_s = Eigen::Index(cells->second),
-         .interaction = options.choice("interaction", {"on", "off"}) == "on"},
-        friction,
-        speed,
-        positive("shear-yield"),
-        options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
-        options.choice("load-of", {"normal", "all"}) == "all",
-        options.text("outline"),
-        options.text("wear"),
-        options.text("stress"),
-        study::has_times(options),
-        std::move(wear)};
+    return {std::move(positions.cases),
+            std::string("shift, yaw") + (swept("x") ? ", track_x" : "") + (swept("pitch") ? ", pitch" : ""),
+            std::move(wheelset),
+            sides,
+            load,
+            {.cells_x = Eigen::Index(cells->first),
+             .cells_s = Eigen::Index(cells->second),
+             .interaction = options.choice("interaction", {"on", "off"}) == "on"},
+            friction,
+            speed,
+            positive("shear-yield"),
+            options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
+            options.choice("load-of", {"normal", "all"}) == "all",
+            options.text("outline"),
+            options.text("wear"),
+            options.text("stress"),
+            study::has_times(options),
+            std::move(wear)};
 }
 
 rollbem::WheelsetForces forces_at(const Settings& settings, const rollbem::WheelsetOnTrack& wheelset, const Case& at) {

@@ -100,13 +100,12 @@ rollbem::Profile aligned(const study::Options& options, const std::string& sourc
     return study::blame("--" + source, [&, &onto = reference, &fixed = parts] {
         const rollbem::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
         const auto in_mm = [](double length) { return study::Cell(1e3 * length).text(5) + " mm"; };
-        const std::string motion = "aligned with " + options.text(reference_option(use)) + ": moved by dy = " +
-                                   in_mm(found.dy) + ", dz = " + in_mm(found.dz) +
-                                   (options.flag("align-angle")
-                                        ? ", angle = " + study::Cell(1e3 * found.angle).text(5) + " mrad"
-                                        : "") +
-                                   "; residual " + in_mm(found.residual) + " on " +
-                                   study::Cell(100 * found.share).text(3) + " % of the unworn parts";
+        const std::string motion =
+            "aligned with " + options.text(reference_option(use)) + ": moved by dy = " + in_mm(found.dy) +
+            ", dz = " + in_mm(found.dz) +
+            (options.flag("align-angle") ? ", angle = " + study::Cell(1e3 * found.angle).text(5) + " mrad" : "") +
+            "; residual " + in_mm(found.residual) + " on " + study::Cell(100 * found.share).text(3) +
+            " % of the unworn parts";
         options.note("--" + source + ": " + motion);
         if (found.residual > 0.3e-3 || found.share < 0.5) {
             options.doubt("--" + source + ": " + motion + ": does it fit this reference and --align-parts?");
@@ -220,9 +219,10 @@ void add_profile_options(study::Options& options) {
     options.add("smooth", "X",
                 "wave length [m], 1e-4 to 0.1, of the waves in files' profiles that smoothing halves; it damps shorter "
                 "ones more; no smoothing without it");
-    options.add_input("align-wheel",
-                      "s1002 or a file of the wheel, in the axes of --tape-offset, that wheels from files are moved onto "
-                      "where they do not wear: back of the flange, and tread beyond y = 35 mm; not moved without it");
+    options.add_input(
+        "align-wheel",
+        "s1002 or a file of the wheel, in the axes of --tape-offset, that wheels from files are moved onto "
+        "where they do not wear: back of the flange, and tread beyond y = 35 mm; not moved without it");
     options.add_input("align-rail",
                       "60e1, uic60, 54e1 or a file, upright as files before --cant, that rails from files are moved "
                       "onto where they do not wear: sides from 20 mm below the top on; not moved without it");
@@ -254,11 +254,12 @@ rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const roll
     }
     options.choice("length-unit", {"m", "mm"});
     options.require(!options.given("align-parts") || !(options.given("align-wheel") && options.given("align-rail")),
-                    "align-parts", "be given with one of --align-wheel and --align-rail: they are parts of its reference");
+                    "align-parts",
+                    "be given with one of --align-wheel and --align-rail: they are parts of its reference");
     for (const auto& [name, left, use] :
          {std::tuple{"wheel", "left-wheel", Use::wheel}, {"rail", "left-rail", Use::rail}}) {
-        const bool from_file = !is_standard(options, name, use) ||
-                               (!options.text(left).empty() && !is_standard(options, left, use));
+        const bool from_file =
+            !is_standard(options, name, use) || (!options.text(left).empty() && !is_standard(options, left, use));
         if (!from_file) options.ignored(reference_option(use), std::string("with a standard ") + name);
     }
     for (const char* name : {"length-unit", "smooth", "any-shape"}) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -26,8 +27,15 @@ using Use = rollbem::Profile::Use;
 
 constexpr double spacing = 2e-4, cell = 1e-4;  // of points of worn profiles, and of sums of wear [m]
 constexpr double most_searches = 1e4;
+constexpr double least_spread = 2e-3;  // along a profile [m]: places in service vary between those of a collective
 
 }  // namespace
+
+/// What the whole collective takes off a body at its points, and how far that is spread along it.
+struct WearRates {
+    Eigen::ArrayXd area;    ///< per length [m]
+    Eigen::ArrayXd relief;  ///< D by which pressures spread it, see State::search() [m^2]
+};
 
 /// A wheel or a rail that wears.
 struct WearingBody {
@@ -35,15 +43,15 @@ struct WearingBody {
 
     Profile before, now;
     Use use;
-    double law_area = 0;  ///< sum of the law so far [m^2]
 
-    /// Lengths times area per length of these points.
-    double area_of(const Eigen::ArrayXd& rate) const { return (rate * lengths_at_points(now)).sum(); }
-    void wear(const Eigen::ArrayXd& area) {
-        now = worn_by_area(now, area, use);
-        law_area += area_of(area);
-    }
+    void wear(double part, const WearRates& rates);
 };
+
+/// Takes off a part of the area, spread along the profile over `least_spread`, or over what keeps a large step stable.
+void WearingBody::wear(double part, const WearRates& rates) {
+    const Eigen::ArrayXd reach = (part * rates.relief).max(least_spread * least_spread);
+    now = worn_by_area(now, spread(now, part * rates.area, reach), use);
+}
 
 /// A row: the profiles at a search.
 struct WearRow {
@@ -60,28 +68,33 @@ namespace {
 study::Sheet<WearRow, Side> wear_sheet() {
     using R = WearRow;
     const auto of_rail = [](const auto& value) { return study::where(&R::has_rail, value); };
-    return {
-        "",
-        {{"distance", "distance rolled when contacts are found anew, in the last row at the end [m]", &R::distance},
-         {"wheel_depth", "largest depth worn off the wheel along its normals [m]", &R::wheel_depth},
-         {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]", &R::wheel_depth_y},
-         {"wheel_area", "area worn off the wheel's section [m^2]", &R::wheel_area},
-         {"rail_depth", "the same of the rail, as the columns after it; empty without passages", of_rail(&R::rail_depth)},
-         {"rail_depth_y", "", of_rail(&R::rail_depth_y)},
-         {"rail_area", "", of_rail(&R::rail_area)},
-         {"flange_height", "EN 15313's Sh: tip of the flange below the tape circle's point [m]",
-          [](const R& r) { return r.flange.height; }},
-         {"flange_thickness",
-          "Sd: from the back of the flange horizontally to its face 10 mm below the tape circle's point [m]",
-          [](const R& r) { return r.flange.thickness; }},
-         {"qr", "qR: horizontally from there along the face to 2 mm above the tip [m]",
-          [](const R& r) { return r.flange.qr; }},
-         {"rail_vertical_wear", "worn off the rail vertically at y = 0 of the new profile [m]",
-          of_rail([](const R& r) { return r.head.vertical; })},
-         {"rail_side_wear", "worn off the rail's inner side --gauge-depth below the new rail's top [m]",
-          of_rail([](const R& r) { return r.head.side; })},
-         {"status", "worst status of the contacts in all positions, as above", &R::status}},
-        ""};
+    return {"",
+            {{"distance", "distance rolled when contacts are found anew, in the last row at the end [m]", &R::distance},
+             {"wheel_depth", "largest depth worn off the wheel along its normals [m]", &R::wheel_depth},
+             {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]", &R::wheel_depth_y},
+             {"wheel_area", "area worn off the wheel's section [m^2]", &R::wheel_area},
+             {"rail_depth", "the same of the rail, as the columns after it; empty without passages",
+              of_rail(&R::rail_depth)},
+             {"rail_depth_y", "", of_rail(&R::rail_depth_y)},
+             {"rail_area", "", of_rail(&R::rail_area)},
+             {"flange_height", "EN 15313's Sh: tip of the flange below the tape circle's point [m]",
+              [](const R& r) { return r.flange.height; }},
+             {"flange_thickness",
+              "Sd: from the back of the flange horizontally to its face 10 mm below the tape circle's point [m]",
+              [](const R& r) { return r.flange.thickness; }},
+             {"qr", "qR: horizontally from there along the face to 2 mm above the tip [m]",
+              [](const R& r) { return r.flange.qr; }},
+             {"rail_vertical_wear", "worn off the rail vertically at y = 0 of the new profile [m]",
+              of_rail([](const R& r) { return r.head.vertical; })},
+             {"rail_side_wear", "worn off the rail's inner side --gauge-depth below the new rail's top [m]",
+              of_rail([](const R& r) { return r.head.side; })},
+             {"status", "worst status of the contacts in all positions, as above", &R::status}},
+            ""};
+}
+
+std::array<rollbem::ProfileWear, 2> sums_over(const Profile& profile) {
+    const rollbem::ProfileWear one(profile, Eigen::Index(profile.length() / cell) + 1);
+    return {one, one};
 }
 
 rollbem::WearLaw read_law(const study::Options& options) {
@@ -182,9 +195,8 @@ struct WearRun::State {
                                   : rollbem::WheelsetOnTrack(settings.wheelset.wheel(Side::left), own);
     }
 
-    /// Areas per length that the whole collective takes off both bodies.
     struct Rates {
-        Eigen::ArrayXd wheel, rail;
+        WearRates wheel, rail;
     };
     Rates search();
     WearRow row(double share) const;
@@ -207,8 +219,7 @@ WearRun::State::Rates WearRun::State::search() {
     rollbem::detail::parallel_for(found.size(), plan.jobs,
                                   [&](std::size_t q) { found[q] = forces_at(settings, now, settings.cases[q]); });
     const auto k = std::size_t(side);
-    rollbem::ProfileWear of_wheel(wheel.now, Eigen::Index(wheel.now.length() / cell) + 1),
-        of_rail(rail.now, Eigen::Index(rail.now.length() / cell) + 1);
+    std::array<rollbem::ProfileWear, 2> of_wheel = sums_over(wheel.now), of_rail = sums_over(rail.now);
     rollbem::Status worst = rollbem::Status::ok;
     for (std::size_t q = 0; q < found.size(); ++q) {
         const Case& at = settings.cases[q];
@@ -222,8 +233,16 @@ WearRun::State::Rates WearRun::State::search() {
             if (friction.status != rollbem::Status::ok) break;
             const rollbem::RailPatch& patch = contact.patches[i];
             const rollbem::PatchForce wear = wear_of(friction, plan.law, rolling_velocity_of(patch, speeds));
-            of_wheel.add(patch.wheel_s, wear, at.distance / (2 * std::numbers::pi));
-            of_rail.add(patch.rail_s, wear, at.passages);
+            // A wave of length w and height h of a half-space takes the pressure E* pi h/w off its hollows, so that
+            // rates that fall with the pressure p make the wear of a step h_0 less by (2 pi/w) h_0 E*/(2 p); the half
+            // of it keeps steps stable, here by the square of 2 pi/w, as much as this for waves as long as the patch.
+            const double relief =
+                patch.half_width / (8 * std::numbers::pi * patch.peak_pressure * now.wheel(side).compliance());
+            const std::array<double, 2> factors{1, relief};
+            for (std::size_t m = 0; m < factors.size(); ++m) {
+                of_wheel[m].add(patch.wheel_s, wear, factors[m] * at.distance / (2 * std::numbers::pi));
+                of_rail[m].add(patch.rail_s, wear, factors[m] * at.passages);
+            }
         }
         worst = std::max(worst, own);
         if (failure.empty() && (own == rollbem::Status::unbalanced || !has_numbers(own))) {
@@ -231,8 +250,13 @@ WearRun::State::Rates WearRun::State::search() {
         }
     }
     status = name(worst);
-    const double radius = now.wheel(side).dimensions().radius;
-    return {of_wheel.at_points(wheel.now) / (radius + wheel.now.z()), of_rail.at_points(rail.now)};
+    const auto rates = [](const std::array<rollbem::ProfileWear, 2>& sums, const Profile& profile,
+                          const Eigen::ArrayXd& over) {
+        const auto at = [&](std::size_t m) -> Eigen::ArrayXd { return sums[m].at_points(profile) / over; };
+        return WearRates{at(0), at(1)};
+    };
+    return {rates(of_wheel, wheel.now, now.wheel(side).dimensions().radius + wheel.now.z()),
+            rates(of_rail, rail.now, Eigen::ArrayXd::Ones(rail.now.size()))};
 }
 
 WearRow WearRun::State::row(double share) const {
@@ -263,15 +287,16 @@ void WearRun::State::run(const std::function<void(double part)>& done) {
         const Rates rates = search();
         rows.push_back(row(share));
         if (!failure.empty() || share >= 1) return;
-        const double largest = std::max(rates.wheel.maxCoeff(), plan.rail ? rates.rail.maxCoeff() : 0.0),
+        const double largest = std::max(rates.wheel.area.maxCoeff(), plan.rail ? rates.rail.area.maxCoeff() : 0.0),
                      searches = largest / plan.step;
         if (searches > most_searches) {
             throw study::BadInput("--positions: distances and passages wear off " + study::Cell(largest).text(3) +
-                                  " m at the first rate, and must take at most 10000 searches: a larger --wear-step, or shorter distances [m]");
+                                  " m at the first rate, and must take at most 10000 searches: a larger --wear-step, "
+                                  "or shorter distances [m]");
         }
         const double part = searches * (1 - share) > 1 + 1e-9 ? 1 / searches : 1 - share;
-        wheel.wear(part * rates.wheel);
-        if (plan.rail) rail.wear(part * rates.rail);
+        wheel.wear(part, rates.wheel);
+        if (plan.rail) rail.wear(part, rates.rail);
         share = part < 1 - share ? share + part : 1;
         done(share);
     }

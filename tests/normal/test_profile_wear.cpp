@@ -144,16 +144,17 @@ TEST_CASE("Sizes of flanges and heads", "[profile]") {
 /// S1002, hollow by 2 mm, also where it should not be.
 Profile hollow_wheel() {
     const Profile wheel = s1002();
-    return worn(wheel,
-                (2e-3 * (-(wheel.y() / 14e-3).pow(8)).exp() + 2e-3 * (-((wheel.y() - 48e-3) / 4e-3).pow(8)).exp()).eval(),
-                Use::wheel);
+    return worn(
+        wheel,
+        (2e-3 * (-(wheel.y() / 14e-3).pow(8)).exp() + 2e-3 * (-((wheel.y() - 48e-3) / 4e-3).pow(8)).exp()).eval(),
+        Use::wheel);
 }
 
 TEST_CASE("A worn wheel comes back to where it was", "[profile]") {
     const Profile wheel = s1002(), hollow = hollow_wheel();
     const auto parts = unworn_parts(wheel, Use::wheel);
-    for (const auto& [angle, dy, dz] : {std::array{0.0, 0.0, 0.0}, {0.0, 3e-3, -1e-3}, {0.0, 0.07, 0.0},
-                                        {5e-3, -2e-3, 1e-3}}) {
+    for (const auto& [angle, dy, dz] :
+         {std::array{0.0, 0.0, 0.0}, {0.0, 3e-3, -1e-3}, {0.0, 0.07, 0.0}, {5e-3, -2e-3, 1e-3}}) {
         const bool turns = angle != 0;
         const Alignment found = align(hollow.moved(angle, dy, dz), wheel, parts, turns);
         const Profile back = hollow.moved(angle, dy, dz).moved(found.angle, found.dy, found.dz);
@@ -172,11 +173,17 @@ TEST_CASE("A worn rail comes back, and what does not fix it is refused", "[profi
     const Alignment found = align(head.moved(0, 2e-3, -1e-3), rail, parts);
     CHECK(found.dy == Approx(-2e-3).margin(1e-7));
     CHECK(found.dz == Approx(1e-3).margin(2e-6));
-    CHECK(refusal([&] { align(rail, rail, {{-0.005, 0.005}}); }).starts_with("align: least share of the parts' normals"));
-    CHECK(refusal([&] { align(rail, rail, {{-0.05, -0.04}, {0, 0.01}}); }).starts_with("align: part y = -0.05 to -0.04"));
-    CHECK(refusal([&] { align(rail, rail, {{0.01, -0.01}}); }) ==
-          "align: end of a part = -0.01 must lie above its begin");
-    CHECK(refusal([&] { unworn_parts(rail_60e1(0), Use::rail); }).starts_with("align: reference = without sides 20 mm"));
+    CHECK(refusal([&] {
+              align(rail, rail, {{-0.005, 0.005}});
+          }).starts_with("align: least share of the parts' normals"));
+    CHECK(refusal([&] {
+              align(rail, rail, {{-0.05, -0.04}, {0, 0.01}});
+          }).starts_with("align: part y = -0.05 to -0.04"));
+    CHECK(refusal([&] {
+              align(rail, rail, {{0.01, -0.01}});
+          }) == "align: end of a part = -0.01 must lie above its begin");
+    CHECK(
+        refusal([&] { unworn_parts(rail_60e1(0), Use::rail); }).starts_with("align: reference = without sides 20 mm"));
 }
 
 }  // namespace

@@ -26,6 +26,11 @@ Profile worn(const Profile& profile, const Eigen::ArrayXd& depth, Profile::Use b
 /// midway to the point behind. Throws as worn().
 Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& area_per_length, Profile::Use body);
 
+/// An area per length [m] at a profile's points, spread along it: the solution d of d - (D d')' = area, D >= 0 [m^2] at
+/// the points, without a flux at the ends. Waves of length w are damped by 1/(1 + D (2 pi/w)^2), the sum over
+/// lengths_at_points() stays, and nothing becomes negative.
+Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, const Eigen::ArrayXd& D);
+
 /// The lengths that belong to the points of a profile [m], from midway to the point before to midway to the next.
 Eigen::ArrayXd lengths_at_points(const Profile& profile);
 

@@ -209,7 +209,8 @@ ROLLBEM_DECL Profile extended(const Profile& profile, double length) {
 ROLLBEM_DECL Alignment align(const Profile& profile, const Profile& reference,
                              const std::vector<std::array<double, 2>>& parts, bool turns) {
     detail::require(!parts.empty(), "align", "number of parts", parts.size(), "be at least 1");
-    for (const auto& [from, to] : parts) detail::require(from < to, "align", "end of a part", to, "lie above its begin");
+    for (const auto& [from, to] : parts)
+        detail::require(from < to, "align", "end of a part", to, "lie above its begin");
     const detail::Aligner aligner(profile, reference, parts, turns);
     // from where it is, and from where its lowest point, a flange, or its highest one, a head, lies as the reference's
     Eigen::Index lowest = 0, deepest = 0, highest = 0, top = 0;

@@ -54,8 +54,8 @@ public:
         for (Eigen::Index i = 1; i < y_.size(); ++i) {
             const double dy = profile.y()[i] - profile.y()[i - 1], dz = profile.z()[i] - profile.z()[i - 1];
             if ((y_[i] - y_[i - 1]) * dy + (z_[i] - z_[i - 1]) * dz > 0) continue;
-            throw std::invalid_argument("worn: depth = " + to_text((std::max)(depth[i - 1], depth[i])) + " m at y = " +
-                                        to_text(profile.y()[i]) +
+            throw std::invalid_argument("worn: depth = " + to_text((std::max)(depth[i - 1], depth[i])) +
+                                        " m at y = " + to_text(profile.y()[i]) +
                                         " m must not fold the profile: smaller steps, or smooth the profile");
         }
     }
@@ -210,6 +210,28 @@ ROLLBEM_DECL Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& 
     return after;
 }
 
+ROLLBEM_DECL Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length,
+                                   const Eigen::ArrayXd& D) {
+    const Eigen::Index n = profile.size();
+    const Eigen::ArrayXd lengths = lengths_at_points(profile);
+    Eigen::ArrayXd diagonal = lengths, beside = Eigen::ArrayXd::Zero(n), found = area_per_length * lengths;
+    for (Eigen::Index i = 0; i + 1 < n; ++i) {
+        beside[i] = (D[i] + D[i + 1]) / 2 / (profile.s()[i + 1] - profile.s()[i]);
+        diagonal[i] += beside[i];
+        diagonal[i + 1] += beside[i];
+    }
+    for (Eigen::Index i = 1; i < n; ++i) {  // symmetric and tridiagonal, with -beside
+        const double share = beside[i - 1] / diagonal[i - 1];
+        diagonal[i] -= share * beside[i - 1];
+        found[i] += share * found[i - 1];
+    }
+    for (Eigen::Index i = n - 1; i >= 0; --i) {
+        if (i + 1 < n) found[i] += beside[i] * found[i + 1];
+        found[i] /= diagonal[i];
+    }
+    return found;
+}
+
 ROLLBEM_DECL Eigen::ArrayXd lengths_at_points(const Profile& profile) {
     const Eigen::Index n = profile.size();
     Eigen::ArrayXd lengths = Eigen::ArrayXd::Zero(n);
@@ -233,8 +255,7 @@ ROLLBEM_DECL Eigen::ArrayXd depth_between(const Profile& before, const Profile& 
     Eigen::ArrayXd depth(after.size());
     for (Eigen::Index i = 0; i < after.size(); ++i) {
         const Profile::Point p = before.at(detail::foot_of(before, after.y()[i], after.z()[i]));
-        depth[i] = detail::sign_of(body) *
-                   ((after.z()[i] - p.z) * p.slope[0] - (after.y()[i] - p.y) * p.slope[1]) /
+        depth[i] = detail::sign_of(body) * ((after.z()[i] - p.z) * p.slope[0] - (after.y()[i] - p.y) * p.slope[1]) /
                    std::hypot(p.slope[0], p.slope[1]);
     }
     return depth;
