@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "language.hpp"
+
 namespace rollbem::detail {
 
 /// The value at x, linear between the places, which ascend, and constant beyond them.
