@@ -220,6 +220,12 @@ spin, for which strips of equal width are better, an odd number, at a/b >= 1 hal
 a/b (precision_study --recommend): --n 12 --strips 7 --strip-grading uniform errs by 5e-3 where 12 x 12 cosine strips
 err by 1.7e-2. Meshes are compared for creep coefficients alone: where those have the status not_converged, take more
 elements and strips.
+--creepage XI,ETA,PHI: one ellipse in SI units; also its ratios stand in the row.
+  patch_study --n 12 --creepage 0.001,0,0.3 --normal-load 8e4 --friction 0.3 --half-length 6e-3 --half-width 4e-3 \
+      --shear-modulus 8.2e10
+--falling, --memory: slip velocities in V mu_0 p_0/G, p_0 = 3 N/(2 pi a b) Hertz's largest pressure, distances in
+c mu_0 p_0/G; mu is mu_0 in all ratios. A memory needs --strips 1. Where mu falls steeply, several solutions may exist, and rows take the one with
+most friction.
 --plot draws up to three patches at one creepage from above, with y downwards and z away from the viewer. At the pole of
 spin the rigid slip vanishes.
 
@@ -248,10 +254,11 @@ void add_options(study::Options& options) {
     study::add_state_space_options(options, "the one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
+    patch::add_si_options(options);
     const std::vector<std::string> friction = patch::ways_of_friction();
     options.not_with({"stability", "state-space"}, "omega");
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
-    options.only_with({"pressure", "tractions", "transient"}, friction);
+    options.only_with(study::joined(study::friction_law_options(), {"pressure", "tractions", "transient"}), friction);
     options.not_with({"tractions"}, "transient");
     options.footer(help(steady_sheet(true).help()));
 }

@@ -43,25 +43,7 @@ struct Contacts {
 
 Contacts find_contacts(const Settings& settings, const Case& at) {
     const auto start = std::chrono::steady_clock::now();
-    rollbem::WheelsetOnTrack::Workspace workspace;
-    using Free = rollbem::WheelsetOnTrack::Free;
-    const rollbem::WheelsetRolling rolling{
-        .position = {at.shift, at.height.value_or(0), at.roll.value_or(0), at.yaw, at.along, at.pitch},
-        .loads = {settings.load, settings.load},
-        .free = at.height ? Free::nothing
-                : at.roll ? Free::height
-                          : Free::height_and_roll,
-        .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
-        .free_pitch = !at.pitch_rate,
-        .force = settings.force,
-        .loads_include_friction = settings.loads_include_friction};
-    Contacts contacts;
-    if (settings.friction) {
-        contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);
-    } else {
-        contacts.of.contacts =
-            settings.wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
-    }
+    Contacts contacts{.of = forces_at(settings, settings.wheelset, at)};
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (const Side side : settings.sides) {
         if (settings.stress.empty()) break;
@@ -212,7 +194,7 @@ Columns friction_columns() {
             {"slip_power", "power that friction turns into heat [W]",
              study::where(&Found::solved,
                           [](const Found& f) {
-                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
+                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed_of(f.at),
                                                                    .pitch_rate = f.contacts.of.pitch_rate};
                               return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
                           })},
@@ -333,6 +315,15 @@ the library has it. At --shift 0.005 --load 8e4 --friction 0.3 the patch on the 
 rows), side, patch, s, x, depth [m], von_mises, tresca [Pa].
 --wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m]
 and work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
+A column distance in --positions: the wheel of --side wears, and its rail by the passages, both by --wear-law, 7850
+kg/m^3. All positions wear together, each by its share, until something is --wear-step deep; then contacts are found
+anew. The wheel's section loses the volume per metre rolled V' times distance/(2 pi r), the rail's V' passages. Wear is
+spread along the profile over 2 mm, as places vary in service and waves must not grow; its area stays. A row for each
+search, the first one of the profiles as they are read:
+)" + profile::wear_help() +
+           R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
+--length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
+  profile_study --positions curves.csv --speed 20 --wear-law t-gamma --worn-wheel worn.csv --plot worn.svg
 --outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 
@@ -514,8 +505,13 @@ int main(int argc, char** argv) {
         } else {
             const Settings settings = profile::read_settings(given);
             study::OutputFiles files;
-            Run run(settings, files);
-            study::write_table(given, patch_table(run, files), files);
+            if (settings.wear_plan) {
+                profile::WearRun wear(settings);
+                study::write_table(given, wear.table(files), files);
+            } else {
+                Run run(settings, files);
+                study::write_table(given, patch_table(run, files), files);
+            }
         }
         return study::exit_ok;
     });

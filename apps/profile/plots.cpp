@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/normal/profile_wear.hpp>
+
 #include "profile.hpp"
 
 namespace profile {
@@ -40,6 +42,32 @@ study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t witho
     if (without > 0 && !panels.empty()) {
         panels.back().title +=
             "; " + std::to_string(without) + (without == 1 ? " row has" : " rows have") + " no patch";
+    }
+    return panels;
+}
+
+study::Picture draw_wear(const std::vector<Worn>& bodies) {
+    study::Picture panels;
+    for (const auto& [name, before, after, body] : bodies) {
+        const Eigen::ArrayXd depth = depth_between(before, after, body);
+        const double sign = body == rollbem::Profile::Use::wheel ? -1 : 1;
+        study::Series new_one{"before", study::Look::exact}, worn{"after", study::Look::outline},
+            drawn{"depth times 10"};
+        for (Eigen::Index i = 0; i < before.size(); ++i) {
+            new_one.points.emplace_back(1e3 * before.y()[i], 1e3 * before.z()[i]);
+        }
+        for (Eigen::Index i = 0; i < after.size(); ++i) {
+            const rollbem::Profile::Point at = after.at(after.s()[i]);
+            const double more = 9 * sign * depth[i] / std::hypot(at.slope[0], at.slope[1]);
+            worn.points.emplace_back(1e3 * at.y, 1e3 * at.z);
+            drawn.points.emplace_back(1e3 * (at.y - more * at.slope[1]), 1e3 * (at.z + more * at.slope[0]));
+        }
+        panels.push_back({.title = name + ", worn by at most " + study::Cell(1e3 * depth.maxCoeff()).text(3) + " mm, " +
+                                   study::Cell(1e6 * area_between(before, after, body)).text(3) + " mm^2",
+                          .x = {"y [mm]"},
+                          .y = {"z [mm]"},
+                          .to_scale = true,
+                          .series = {std::move(new_one), std::move(worn), std::move(drawn)}});
     }
     return panels;
 }

@@ -2,8 +2,10 @@
 #include <rollbem/normal/impl/contact_geometry.ipp>
 #include <rollbem/normal/impl/normal_contact.ipp>
 #include <rollbem/normal/impl/profile.ipp>
+#include <rollbem/normal/impl/profile_alignment.ipp>
 #include <rollbem/normal/impl/profile_check.ipp>
 #include <rollbem/normal/impl/profile_file.ipp>
+#include <rollbem/normal/impl/profile_wear.ipp>
 #include <rollbem/normal/impl/rail_patch.ipp>
 #include <rollbem/normal/impl/rigid_contact.ipp>
 #include <rollbem/normal/impl/sections.ipp>

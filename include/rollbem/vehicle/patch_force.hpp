@@ -46,6 +46,10 @@ struct PatchForce {
     Eigen::Index elements = 0;
     /// Elements of all patches of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
     std::vector<LoadedRectangle> surface{};
+    /// Elements of this patch, strip by strip from the trailing edge on: the number of the first one in `surface`,
+    /// slip over the rolling velocity [-], and each one's part of slip_work [J/m].
+    std::size_t first_element = 0;
+    Eigen::ArrayXd slip{}, work{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
     /// that heat flows along it (Heating::passes_fast), and above 20 % of creepage, where one body passes slower.
     double peak_temperature = std::numeric_limits<double>::quiet_NaN();

@@ -160,7 +160,7 @@ struct MeshFriction {
     Status status = Status::not_finite;
     TangentialForce force;
     ElementVectors tractions;
-    Eigen::ArrayXd work;
+    Eigen::ArrayXd work, slip;
     std::vector<double> peaks{};  ///< largest temperature of each patch [K]; empty: not known
 };
 
@@ -232,7 +232,7 @@ private:
         const RigidMotion<Creepage> motion(rolling_.creepage(0));
         const FrictionStep step =
             model.steady(model.at_rest(), {Travel::at_speed(1), motion.with_rows(rows)}, state, workspace);
-        return {step.status, step.force, state.traction, workspace.slip_work()};
+        return {step.status, step.force, state.traction, workspace.slip_work(), workspace.slip().rowwise().norm()};
     }
 
     /// The temperatures of all elements, and peaks; none where the contact passes slowly.
@@ -281,11 +281,11 @@ inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const Patc
         patch.force = force_of(mesh.rectangles(meshes.unit), solved.tractions.middleRows(meshes.first(k), mesh.size()));
         patch.edges.resize(mesh.strip_count() + 1);
         patch.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
-        patch.strip_work = solved.work.segment(meshes.first(k), mesh.size())
-                               .reshaped(mesh.elements_per_strip(), mesh.strip_count())
-                               .colwise()
-                               .sum()
-                               .transpose();
+        patch.first_element = std::size_t(meshes.first(k));
+        patch.slip = solved.slip.segment(meshes.first(k), mesh.size());
+        patch.work = solved.work.segment(meshes.first(k), mesh.size());
+        patch.strip_work =
+            patch.work.reshaped(mesh.elements_per_strip(), mesh.strip_count()).colwise().sum().transpose();
         patch.slip_work = patch.strip_work.sum();
         patch.surface = solver.surface(solved.tractions);
         if (!solved.peaks.empty()) patch.peak_temperature = solved.peaks[k];

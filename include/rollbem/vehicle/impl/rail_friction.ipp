@@ -3,10 +3,10 @@
 
 #include "../rail_friction.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "../../detail/finite.hpp"
+#include "../../detail/linear_between.hpp"
 #include "../../detail/require.hpp"
 
 namespace rollbem {
@@ -31,12 +31,7 @@ ROLLBEM_DECL RailFriction::RailFriction(Over over, std::vector<double> nodes, st
 
 ROLLBEM_DECL double RailFriction::at(double angle, double y) const {
     const double place = over_ == Over::angle ? angle : y;
-    const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), place);
-    if (above == nodes_.begin()) return coefficients_.front();
-    if (above == nodes_.end()) return coefficients_.back();
-    const auto k = static_cast<std::size_t>(above - nodes_.begin());
-    const double share = (place - nodes_[k - 1]) / (nodes_[k] - nodes_[k - 1]);
-    return coefficients_[k - 1] + share * (coefficients_[k] - coefficients_[k - 1]);
+    return detail::linear_between(nodes_, coefficients_, place);
 }
 
 }  // namespace rollbem
