@@ -52,8 +52,8 @@ public:
         return behind + between.share * (values[between.ahead] - behind);
     }
 
-    /// Where every element but the first lies between the one behind and itself: the place of the centres of these, from
-    /// behind. Otherwise empty.
+    /// If every centre but the first lies between the points of the element behind and of its own: the places of these
+    /// centres between the points. Otherwise empty.
     const ArrayX<Scalar>& shares() const { return shares_; }
 
 private:

@@ -162,8 +162,8 @@ private:
         const Index first = listed(count - 1), length = listed(0) - first + 1;
         s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
     }
-    // y = A x of a triangle, whose zeros are left out by blocks of eight rows. Rows are added up in panels of columns, as
-    // Eigen adds up the products of panels.
+    // y = A x of a triangle, whose zeros are left out by blocks of eight rows. The sum of a row goes by panels of columns,
+    // as in Eigen's products of panels.
     enum Triangle { lower, upper };
     static constexpr Index panel = 16, rows_together = 8;
     template <Triangle triangle>

@@ -183,7 +183,7 @@ struct StepScratch {
     }
     /// Whether these pressures are known to be valid.
     bool has(const ArrayX<double>& normal_pressure) const {
-        return bound_per_pressure > 0 && normal_pressure.size() >= pressure.size() &&
+        return normal_pressure.size() >= pressure.size() &&
                std::memcmp(normal_pressure.data(), pressure.data(),
                            static_cast<std::size_t>(pressure.size()) * sizeof(double)) == 0;
     }

@@ -600,7 +600,8 @@ bool StickSlipSolver<directions>::take_step(const Search& search, Eliminated& at
     return true;
 }
 
-// Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so, clears the slip of sticking elements.
+// Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so, clears
+// the slip of sticking elements.
 template <int directions>
 bool StickSlipSolver<directions>::fits_at_once(const Search& search, const Eliminated& at) {
     const auto& problem = search.problem;
