@@ -73,7 +73,7 @@ study::Picture draw_wear(const std::vector<Worn>& bodies) {
 }
 
 study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& all) {
-    constexpr double apart = 25, room = 13;  // of the profiles, and of numbers above them [mm]
+    constexpr double apart = 25, room = 11;  // of the profiles, and of numbers above them [mm]
     study::Picture panels;
     for (const std::string side : {"left", "right"}) {
         const rollbem::WheelOnRail& wheel = wheelset.wheel(side == "left" ? Side::left : Side::right);
@@ -103,15 +103,15 @@ study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, con
             }
             return series;
         };
-        std::vector<study::Series> series{
-            curve(wheel.rail(), 0, 0, {"rail", study::Look::outline}),
-            curve(wheel.wheel(), offset, -apart, {"wheel, lifted by 25 mm", study::Look::exact})};
+        std::vector<study::Series> series{curve(wheel.rail(), 0, 0, {"rail", study::Look::outline}),
+                                          curve(wheel.wheel(), offset, -apart, {"wheel, lifted", study::Look::exact})};
         study::PlotRange range{0, 0};
         for (const study::Series& one : series) {
             for (const auto& [y, z] : one.points) range = {std::min(range.low, z - room), std::max(range.high, z + 1)};
         }
         series.push_back(std::move(joined));
-        panels.push_back({.title = "Where the " + side + " wheel touches the rail; numbers: lateral shift [mm]" +
+        panels.push_back({.title = "Where the " + side +
+                                   " wheel, lifted by 25 mm, touches the rail; numbers: lateral shift [mm]" +
                                    (without == 0 ? ""
                                                  : "; " + std::to_string(without) + " of " +
                                                        std::to_string(rows.rows.size()) + " rows have none"),

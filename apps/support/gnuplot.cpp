@@ -523,7 +523,9 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
                                                                              : longest(texts) + 20};
     const double frame_width = picture_width - margins.left - margins.right,
                  entry = longest(panel.legend) + 7 * character;
-    const double rows = std::ceil(double(panel.legend.size()) / std::max(std::floor(frame_width / entry), 1.0));
+    // of a frame to scale gnuplot makes legends of one column, as it does not know how wide it will be
+    const double columns = plot.to_scale ? 1 : std::max(std::floor(frame_width / entry), 1.0);
+    const double rows = std::ceil(double(panel.legend.size()) / columns);
     panel.height = frame_height(plot, frame_width) + (title.empty() ? 97 : 124) +
                    line_height * (double(lines.size()) + rows + (rows > 0 ? 0.5 : 0));
     for (std::string& line : lines) line = quoted(line);
