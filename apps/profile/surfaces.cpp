@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/profile_alignment.hpp>
-#include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/profile_file.hpp>
+#include <rollbem/normal/profile_wear.hpp>
 
 #include "profile.hpp"
 #include "support/input.hpp"

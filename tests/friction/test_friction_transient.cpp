@@ -5,9 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
 #include "friction/same_bits.hpp"

@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/profile_alignment.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_wear.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/time_step.hpp"
-#include "../../system/along_contact.hpp"
-#include "../../system/elements.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../system/detail/along_contact.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "slip_dependent_friction.hpp"

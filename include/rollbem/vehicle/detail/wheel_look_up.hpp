@@ -290,7 +290,7 @@ private:
     // --- forces
 
     template <class Number>
-    struct Contact {
+    struct ZoneContact {
         double share = 0;             // share of the vertical load; 0: no contact
         std::array<Number, 3> force;  // force in the plane, and moment about its normal
         Number normal, size, angle, sine, cosine, half_length, half_width;  // size: N^(1/3)
@@ -306,7 +306,7 @@ private:
         bool does_not_roll = false;
         Number roll;                // of the wheelset
         SineCosine<double> rolled;  // sine and cosine of the roll
-        std::array<Contact<Number>, ContactZones::most> contacts;
+        std::array<ZoneContact<Number>, ContactZones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
@@ -314,7 +314,7 @@ private:
     Status forces_on(Pass<Number>& pass, std::size_t zone, const Number& load) {
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
-        Contact<Number>& found = pass.contacts[zone];
+        ZoneContact<Number>& found = pass.contacts[zone];
         const auto row = [&](Eigen::Index which) { return number<Number>(of, which); };
         found.angle = row(angle);
         const SineCosine<Number> inclined = turned(found.angle, sine_cosine(value_of(found.angle)));
@@ -380,7 +380,7 @@ private:
 
     /// Forces on the ellipse of a zone at its own creepages, with all derivatives.
     Status creep_forces(Pass<Dual>& pass, std::size_t zone, const std::array<Dual, 3>& own) const {
-        Contact<Dual>& found = pass.contacts[zone];
+        ZoneContact<Dual>& found = pass.contacts[zone];
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
         const Creepage creepage{own[0].value(), own[1].value(), own[2].value()};
         const PatchContact contact(ellipse(found.half_length.value(), found.half_width.value()));
@@ -430,7 +430,7 @@ private:
     }
 
     /// Derivatives of a contact's creepages by the speeds, from the derivatives of its rolling velocity.
-    BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const Contact<Dual>& of,
+    BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const ZoneContact<Dual>& of,
                                 const Eigen::Matrix<double, 1, speed_count>& rolling_by_speeds) const {
         using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, speed_count, 1>>;
         const auto speed = [&](int which) {
@@ -552,7 +552,7 @@ private:
         pass.excess_by_motion.setZero();
         pass.does_not_roll = false;
         for (std::size_t k = 0; k < count; ++k) {
-            Contact<Number>& of = pass.contacts[k];
+            ZoneContact<Number>& of = pass.contacts[k];
             of.share = 0;
             if (!(value_of(shares[k]) > 0)) continue;
             const Number portion = shares[k] / total, load = portion * whole;
@@ -575,7 +575,7 @@ private:
 
     /// Writes a point as after the last step, so that its numbers agree with the wrench.
     template <class Number>
-    void settle(std::size_t zone, const Contact<Number>& of, double change) {
+    void settle(std::size_t zone, const ZoneContact<Number>& of, double change) {
         const auto settled = [&](const Number& number) { return after(number, change); };
         WheelForces::Point& point = result_.points[zone];
         const auto& row = zones_[zone].value;
@@ -604,7 +604,7 @@ private:
         wrench.fill(constant<Number>(0));
         Eigen::Matrix<double, 6, motion_count> by_motion = Eigen::Matrix<double, 6, motion_count>::Zero();
         for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
-            const Contact<Number>& of = pass.contacts[k];
+            const ZoneContact<Number>& of = pass.contacts[k];
             if (!(of.share > 0)) continue;
             const auto& [r_x, r_y, r_z] = of.arm;
             const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
