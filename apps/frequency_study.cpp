@@ -16,12 +16,18 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/studies.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"

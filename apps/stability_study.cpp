@@ -18,10 +18,12 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/studies/critical_alpha.hpp>
 
+#include "studies/critical_alpha.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"

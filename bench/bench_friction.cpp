@@ -9,9 +9,16 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/studies/stick_border.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
+
+#include "studies/stick_border.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/normal_contact.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>

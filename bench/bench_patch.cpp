@@ -20,10 +20,16 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/closed_form/full_sliding.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/simplified_theory.hpp>
 

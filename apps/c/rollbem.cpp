@@ -15,18 +15,22 @@
 #include <Eigen/Core>
 #include <rollbem.h>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/detail/require.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/normal/profile.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
-#include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/profile_file.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 

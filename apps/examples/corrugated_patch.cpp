@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rollbem.hpp>
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rollbem.hpp>
 
 namespace {

@@ -9,15 +9,21 @@
 
 #include <Eigen/LU>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/closed_form/detail/plane_lambda.hpp>
 #include <rollbem/detail/in_place_lu.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 #include "support/runs.hpp"

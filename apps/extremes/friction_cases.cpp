@@ -2,15 +2,19 @@
 // falling friction, loads that vary.
 #include <string>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 

@@ -13,17 +13,15 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/accuracy/distance_tangent.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 

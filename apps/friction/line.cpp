@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 
 namespace friction {
 

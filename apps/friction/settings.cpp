@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/pressure_table.hpp>
+#include <rollbem/normal/pressure.hpp>
 
 #include "steady.hpp"
 #include "support/input.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/closed_form/carter.hpp>
 
 #include "rolling.hpp"
 #include "steady.hpp"

@@ -8,14 +8,21 @@
 #include <stdexcept>
 #include <utility>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/studies.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "figures.hpp"
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 
 namespace paper {
 

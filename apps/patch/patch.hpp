@@ -14,7 +14,7 @@
 
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/scene/creepage.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 

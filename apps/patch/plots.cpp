@@ -6,9 +6,8 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/studies/kalker_table.hpp>
-
 #include "patch.hpp"
+#include "studies/kalker_table.hpp"
 
 namespace patch {
 

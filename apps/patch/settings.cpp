@@ -7,9 +7,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/pressure_grid.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "patch.hpp"
 #include "support/input.hpp"

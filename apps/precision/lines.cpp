@@ -6,18 +6,25 @@
 #include <span>
 #include <utility>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "comparison.hpp"
 #include "support/non_steady.hpp"

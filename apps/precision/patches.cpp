@@ -9,16 +9,23 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/recommended_patch.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/studies/kalker_table.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "comparison.hpp"
 #include "extremes/drawn.hpp"
+#include "studies/kalker_table.hpp"
 
 namespace precision {
 

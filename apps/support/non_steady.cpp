@@ -4,10 +4,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/detail/plane_lambda.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 namespace study {
 

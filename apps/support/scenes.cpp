@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
 
 #include "input.hpp"
 

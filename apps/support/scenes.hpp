@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/status.hpp>

@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 #include "csv.hpp"
 #include "progress.hpp"

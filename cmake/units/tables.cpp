@@ -1,9 +1,6 @@
 // Look-ups: CreepForceTable, ReducedFriction, ContactTable.
 #include <rollbem/vehicle/impl/contact_table.ipp>
-#include <rollbem/vehicle/impl/contact_zones.ipp>
-#include <rollbem/vehicle/impl/creep_force_grid.ipp>
 #include <rollbem/vehicle/impl/creep_force_table.ipp>
-#include <rollbem/vehicle/impl/reduced_friction.ipp>
 
 namespace rollbem {
 template TangentialForce CreepForceTable::force<double>(const PatchContact::Parameters&, double, double,

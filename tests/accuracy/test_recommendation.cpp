@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/scene/force.hpp>
+#include <rollbem/scene/creepage.hpp>
 
 #include "support/catch.hpp"
 

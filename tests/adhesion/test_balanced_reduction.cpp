@@ -6,7 +6,13 @@
 #include <vector>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"

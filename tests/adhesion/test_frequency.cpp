@@ -7,9 +7,14 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -4,7 +4,9 @@
 #include <complex>
 #include <limits>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

@@ -1,12 +1,23 @@
-// rollbem/rolling/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
+// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
 #include <utility>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/rolling_friction.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 

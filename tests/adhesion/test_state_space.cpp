@@ -3,8 +3,13 @@
 #include <complex>
 #include <limits>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/spectral/state_space.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

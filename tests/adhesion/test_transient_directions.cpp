@@ -4,9 +4,15 @@
 #include <cstddef>
 #include <utility>
 
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/response.hpp>
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/patch_contact.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

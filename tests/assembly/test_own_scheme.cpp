@@ -3,8 +3,11 @@
 // points' matrices; problems see nothing else of a scheme.
 #include <stdexcept>
 
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,14 +1,14 @@
-// rollbem/assembly/patch_system.hpp, elasticity/rectangle_kernel.hpp: entries of G and G' against quadrature, long
+// rollbem/assembly/patch_system.hpp, elasticity/patch_kernel.hpp: entries of G and G' against quadrature, long
 // double and the strip, and the waist's inputs and outputs.
 #include <cmath>
 #include <numbers>
 
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
-#include <rollbem/elasticity/plane_kernel.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/moved_mesh.hpp"

@@ -2,7 +2,7 @@
 // bodies of headers, which faces() of faces.cpp needs.
 #include <cmath>
 
-#include <rollbem/compiled/all.hpp>
+#include <rollbem/rollbem.hpp>
 
 int faces();
 

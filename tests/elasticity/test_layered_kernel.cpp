@@ -1,4 +1,4 @@
-// rollbem/elasticity/layered_kernel.hpp and rollbem/assembly/detail/delta_part.hpp
+// rollbem/elasticity/line_kernel.hpp and rollbem/assembly/detail/delta_part.hpp
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,11 +8,18 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"

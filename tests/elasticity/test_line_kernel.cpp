@@ -9,7 +9,6 @@
 #include <gsl/gsl_integration.h>
 
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 
 #include "support/brute_force.hpp"

@@ -9,13 +9,11 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 
 namespace {

@@ -1,11 +1,15 @@
-// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/centre_values.hpp: elastic energy and slip work.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/detail/centre_values.hpp: elastic energy and slip work.
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
-#include <rollbem/system/centre_values.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/centre_values.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

@@ -5,7 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"

@@ -7,9 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/system/along_contact.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

@@ -8,12 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/recommended_patch.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/system/dissipation.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/dissipation.hpp>
 
 #include "support/catch.hpp"
 

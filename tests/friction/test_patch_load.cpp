@@ -1,5 +1,5 @@
 // Contact patches whose load, size and shape vary in the time domain: on a fixed mesh
-// (rollbem/normal/hertz_patch_load.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_shapes.hpp),
+// (rollbem/normal/hertz.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_system.hpp),
 // with friction and in full adhesion.
 #include <algorithm>
 #include <array>
@@ -8,15 +8,23 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/same_bits.hpp"
 #include "support/catch.hpp"

@@ -1,4 +1,4 @@
-// rollbem/studies/stick_border.hpp
+// apps/studies/stick_border.hpp
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,12 +8,11 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/studies/stick_border.hpp>
 
 #include "scene.hpp"
+#include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 

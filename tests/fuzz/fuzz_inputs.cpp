@@ -15,7 +15,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "friction/steady.hpp"
 #include "support/csv.hpp"

@@ -13,8 +13,8 @@
 
 #include <rollbem/normal/detail/patch_shape.hpp>
 #include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "extremes/deformed_gap.hpp"

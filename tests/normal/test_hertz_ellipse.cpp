@@ -1,4 +1,4 @@
-// rollbem/normal/hertz_ellipse.hpp
+// rollbem/normal/hertz.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 
 #include <rollbem/normal/detail/ellipse_pressures.hpp>
 #include <rollbem/normal/detail/elliptic_integrals.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -1,11 +1,11 @@
-// rollbem/normal/hertz_load.hpp
+// rollbem/normal/hertz.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 

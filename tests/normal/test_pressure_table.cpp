@@ -1,12 +1,11 @@
-// rollbem/normal/pressure_table.hpp, normal/pressure_grid.hpp
+// rollbem/normal/pressure.hpp, normal/pressure.hpp
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/pressure_grid.hpp>
-#include <rollbem/normal/pressure_table.hpp>
+#include <rollbem/normal/pressure.hpp>
 
 #include "support/catch.hpp"
 

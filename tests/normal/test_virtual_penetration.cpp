@@ -10,9 +10,8 @@
 #include <rollbem/normal/detail/contact_region.hpp>
 #include <rollbem/normal/detail/elliptic_integrals.hpp>
 #include <rollbem/normal/detail/rail_samples.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/rigid_contact.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 

@@ -12,11 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>

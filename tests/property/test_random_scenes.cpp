@@ -10,11 +10,14 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"

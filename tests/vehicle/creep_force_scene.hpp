@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/full_sliding.hpp>
+#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace creep_forces {

@@ -11,11 +11,11 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
-#include <rollbem/vehicle/creep_ellipse.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 

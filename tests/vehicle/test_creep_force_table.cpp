@@ -1,4 +1,4 @@
-// rollbem/vehicle/creep_force_table.hpp, creep_force_grid.hpp, closed_form/full_sliding.hpp: symmetries, limits, the
+// rollbem/vehicle/creep_force_table.hpp, creep_force_grid.hpp, closed_form/carter.hpp: symmetries, limits, the
 // order of interpolation, tangents, and what a file must hold.
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/full_sliding.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"

@@ -1,4 +1,4 @@
-// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp, vehicle/wheelset_forces.hpp
+// rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,11 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/scene/mirror.hpp>
-#include <rollbem/vehicle/patch_elements.hpp>
-#include <rollbem/vehicle/patch_force.hpp>
+#include <rollbem/scene/wheelset.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"

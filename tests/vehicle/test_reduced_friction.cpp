@@ -1,14 +1,20 @@
-// rollbem/vehicle/reduced_friction.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
+// rollbem/vehicle/creep_force_table.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
 // falls with the slip of each element.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
-#include <rollbem/vehicle/reduced_friction.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"

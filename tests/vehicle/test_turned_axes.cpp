@@ -1,11 +1,13 @@
-// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
+// rollbem/scene/patch_contact.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
 // and patches.
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
-#include <rollbem/scene/rolling_ellipse.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/scene/patch_contact.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -1,5 +1,5 @@
 // Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
-// and which signs of their real parts are certain. stability_count.hpp only counts.
+// which signs of their real parts are certain, and a fast count of growing modes.
 #pragma once
 
 #include "../detail/decl.hpp"
@@ -10,11 +10,23 @@
 #include <limits>
 #include <vector>
 
-#include "../system/element_blocks.hpp"
+#include "../status.hpp"
 #include "../system/rolling_system.hpp"
-#include "../system/stability_verdict.hpp"
 
 namespace rollbem {
+
+/// Result of count_unstable.
+struct UnstableCount {
+    Eigen::Index n = 0;
+    Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
+    double flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
+    double rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+    Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
+};
+
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
+/// Re(mu) have the same sign.
+UnstableCount count_unstable(const RollingSystem<double>& system);
 
 /// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. The base
 /// class holds the verdict of judge_stability; solve_stability settles no sign, and all are uncertain.

@@ -18,25 +18,78 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/integrator.hpp"
-#include "../rolling/rolling_step.hpp"
-#include "../rolling/stage_equations.hpp"
-#include "../rolling/time_step.hpp"
+#include "../rolling/detail/stage_equations.hpp"
+#include "../rolling/detail/stage_table.hpp"
+#include "../rolling/detail/time_step.hpp"
+#include "../rolling/run.hpp"
 #include "../scene/contact.hpp"
-#include "../scene/contact_units.hpp"
+#include "../scene/detail/contact_units.hpp"
+#include "../scene/detail/directions.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../scene/semi_axes.hpp"
 #include "../status.hpp"
-#include "../system/contact_fit.hpp"
-#include "../system/element_blocks.hpp"
+#include "../system/detail/contact_fit.hpp"
+#include "../system/detail/time_domain.hpp"
 #include "../system/rolling_system.hpp"
-#include "../system/stability_verdict.hpp"
-#include "../system/time_domain.hpp"
+#include "../types.hpp"
 #include "detail/rational_exponential.hpp"
-#include "state.hpp"
-#include "workspace.hpp"
+#include "detail/stages.hpp"
+#include "detail/step_map.hpp"
 
 namespace rollbem {
+
+/// Everything that the next step needs to know about the past. A copy is a checkpoint; a state written to a file and
+/// read back continues identically to the last bit.
+struct AdhesionState {
+    VectorX<double> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
+    std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
+    double half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
+    /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and changes
+    /// results by round-off only.
+    double distance = 0;
+    double half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
+};
+
+/// Result of a step or of steady rolling. NaN unless the status is ok. With one direction forces and their derivatives
+/// are numbers, with two TangentialForce and CreepageTangent.
+template <int directions = 1>
+struct AdhesionStep {
+    using Force = detail::ForceAlong<directions>;
+    using Tangent = detail::TangentAlong<directions>;
+
+    Force force = detail::nothing<Force>();            ///< 2b F_bar on body 1 [N]
+    Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
+    /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
+    Tangent tangent = detail::nothing<Tangent>();
+    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steady
+    /// rolling, for steps without a given half-length, and if the model cannot breathe.
+    Force tangent_by_half_length = detail::nothing<Force>();
+    /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
+    /// FrictionStep::tangent_by_load.
+    Force tangent_by_half_width = detail::nothing<Force>();
+    Status status = Status::not_finite;
+};
+
+/// A workspace is made by a model and fits any model with the same number of unknowns and directions. The matrices for
+/// steps of one distance are kept as long as model and distance stay the same, so contacts that are stepped in turn
+/// should each have their own workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
+template <int directions = 1>
+class AdhesionWorkspace {
+public:
+    /// A workspace for n unknowns.
+    explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
+
+    Eigen::Index size() const { return factors_.size(); }
+
+    detail::StageFactors& factors() { return factors_; }              ///< for the models
+    detail::AdhesionStages<directions>& stages() { return stages_; }  ///< for the models
+    detail::StepMap<directions>& map() { return map_; }               ///< for the models
+
+private:
+    detail::StageFactors factors_;
+    detail::AdhesionStages<directions> stages_;
+    detail::StepMap<directions> map_;
+};
 
 /// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin,
 /// where the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. SI units.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "../detail/require.hpp"
-#include "../scene/outline.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "mesh.hpp"

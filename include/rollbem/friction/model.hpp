@@ -10,15 +10,12 @@
 #include <Eigen/Core>
 
 #include "../normal/load.hpp"
-#include "../rolling/integrator.hpp"
-#include "../rolling/rolling_step.hpp"
+#include "../rolling/run.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../system/element_blocks.hpp"
-#include "../system/stability_verdict.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "law.hpp"
 #include "state.hpp"

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
-#include "../scene/directions.hpp"
-#include "../scene/force.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/detail/directions.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 

@@ -1,16 +1,103 @@
-// PatchContact: the contact area and material of rolling contact in three dimensions: an ellipse or any outline, shear
-// modulus G and Poisson's ratio nu, checked once on construction.
+// Contact patches: semi-axes, outlines, the ellipse that replaces a turned one, and PatchContact, the shape and
+// material of a patch.
 #pragma once
 
+#include "../detail/decl.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
-#include "outline.hpp"
+#include "../types.hpp"
 
 namespace rollbem {
+
+/// Semi-axes in metres, or over the semi-axes of a contact.
+struct SemiAxes {
+    double half_length;  ///< a, in the rolling direction
+    double half_width;   ///< b, across it
+
+    friend bool operator==(const SemiAxes&, const SemiAxes&) = default;
+};
+
+namespace detail {
+
+/// The semi-axes of a contact over themselves.
+inline constexpr SemiAxes contact_axes{1, 1};
+
+inline bool are_positive(const SemiAxes& axes) noexcept {
+    return is_finite(axes.half_length) && axes.half_length > 0 && is_finite(axes.half_width) && axes.half_width > 0;
+}
+
+}  // namespace detail
+
+/// The edges of a contact area over y, linear between the given lines y = const. Creepages, spin and moment refer to
+/// the origin of its coordinates.
+///
+/// Invariant: at least two lines, all numbers finite, y strictly increasing, trailing < leading; on the first and the
+/// last line both may be equal (a tip). The area is positive and finite.
+class Outline {
+public:
+    /// y, x of the trailing and x of the leading edge of each line [m, or any unit of length]. Throws
+    /// std::invalid_argument, with the number of the line from 1, if they break the invariant.
+    Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading);
+
+    const ArrayX<double>& y() const { return y_; }
+    double low() const { return y_[0]; }               ///< smallest y
+    double high() const { return y_[y_.size() - 1]; }  ///< largest y
+    double area() const { return area_; }
+
+    /// x of an edge at low() <= y <= high().
+    double trailing(double y) const { return at(trailing_, y); }
+    double leading(double y) const { return at(leading_, y); }
+
+private:
+    static void check(Eigen::Index line, const char* quantity, double value, bool holds, const char* rule);
+
+    double at(const ArrayX<double>& edge, double y) const;
+
+    ArrayX<double> y_, trailing_, leading_;
+    double area_ = 0;
+};
+
+/// Semi-axes a', b' along x and y, with their derivatives.
+struct RollingEllipse {
+    SemiAxes axes;            ///< a', b' [m]
+    SemiAxes by_half_length;  ///< d a'/da, d b'/da [-]
+    SemiAxes by_half_width;   ///< d a'/db, d b'/db [-]
+    SemiAxes by_turn;         ///< d a'/d turn, d b'/d turn [m/rad]
+};
+
+/// The ellipse along x and y that replaces an ellipse whose axis a is turned from x towards y by `turn` [rad]. Both
+/// have the same area, and the same ratio of their extents along x and y, sqrt(a^2 cos^2 + b^2 sin^2) and sqrt(a^2
+/// sin^2 + b^2 cos^2), which is also the ratio of the roots of the second moments. Creepages and forces stay in rolling
+/// axes. Without a turn the result is exactly the ellipse itself.
+///
+/// Rolling in the axes of the turned ellipse instead, with creepages turned into them and forces back, has larger
+/// errors, as it turns the rolling direction as well: even a circle under spin would then get a longitudinal force. Two
+/// forces due to the lack of symmetry are neglected here: along x by lateral creepage and spin, and across by
+/// longitudinal creepage. They grow with the turn; docs/vehicle-measured.md has the errors.
+inline RollingEllipse rolling_ellipse(const SemiAxes& turned, double turn) noexcept {
+    const double a = turned.half_length, b = turned.half_width, cosine = std::cos(turn), sine = std::sin(turn);
+    // extents over a and b
+    const double along = std::hypot(cosine, b / a * sine), across = std::hypot(cosine, a / b * sine);
+    const double scale = std::sqrt(along / across);
+    RollingEllipse result{.axes = {a * scale, b / scale}, .by_half_length{}, .by_half_width{}, .by_turn{}};
+    const auto [length, width] = result.axes;
+    // a'^2 = a b e, e the ratio of the extents; derivatives of ln e by ln a (minus the derivative by ln b) and by the
+    // turn
+    const double x = cosine / along, y = sine / across;
+    const double by_log_a = x * x - a / b * y * (a / b * y);
+    const double slope = -(a / b - b / a) * sine * cosine * (b / a / (along * along) + a / b / (across * across));
+    result.by_half_length = {length * (1 + by_log_a) / (2 * a), width * (1 - by_log_a) / (2 * a)};
+    result.by_half_width = {length * (1 - by_log_a) / (2 * b), width * (1 + by_log_a) / (2 * b)};
+    result.by_turn = {length * slope / 2, -width * slope / 2};
+    return result;
+}
 
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
@@ -67,3 +154,7 @@ private:
 };
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/patch_contact.ipp"
+#endif

@@ -14,10 +14,8 @@
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/patch_mesh.hpp"
-#include "../elasticity/rectangle_kernel.hpp"
-#include "../scene/creep_coefficients.hpp"
+#include "../elasticity/patch_kernel.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
@@ -38,8 +36,6 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact& contact, const R
 
 /// Largest estimate of a coefficient's relative error that confirms it: errors up to 5 % (docs/measured.md).
 inline constexpr double largest_error_estimate = 0.045;
-[[deprecated("largest_error_estimate")]] inline constexpr double largest_mesh_change = largest_error_estimate;
-
 /// Whether entry (i, j) of steady coefficients can be used: the status is ok, or it is not_converged and other meshes
 /// confirm this entry.
 template <class Scalar>

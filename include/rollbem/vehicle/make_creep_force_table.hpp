@@ -14,7 +14,6 @@
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../system/response.hpp"
-#include "creep_force_grid.hpp"
 #include "creep_force_table.hpp"
 
 namespace rollbem {

@@ -6,9 +6,7 @@
 
 #include <array>
 
-#include "../scene/creep_coefficients.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "../normal/profile.hpp"
-#include "../scene/creep_coefficients.hpp"
-#include "../scene/mirror.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/wheelset.hpp"
 #include "contact_table.hpp"
 #include "simplified_theory.hpp"
 #include "wheelset_forces.hpp"

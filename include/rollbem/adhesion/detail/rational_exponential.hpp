@@ -4,8 +4,9 @@
 #include <array>
 #include <cstddef>
 
-#include "../../rolling/integrator.hpp"
-#include "../../scene/directions.hpp"
+#include "../../rolling/detail/stage_table.hpp"
+#include "../../rolling/run.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../scene/rigid_motion.hpp"
 
 namespace rollbem::detail {

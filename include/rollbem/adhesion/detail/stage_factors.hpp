@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/in_place_lu.hpp"
-#include "../../rolling/stage.hpp"
+#include "../../rolling/detail/stage.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/rigid_slip.hpp"
-#include "../../rolling/stage_equations.hpp"
-#include "../../rolling/time_step.hpp"
-#include "../../scene/directions.hpp"
+#include "../../rolling/detail/rigid_slip.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../types.hpp"
 #include "stage_factors.hpp"
 

@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/stage.hpp"
-#include "../../scene/directions.hpp"
+#include "../../rolling/detail/stage.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"
 #include "stage_factors.hpp"

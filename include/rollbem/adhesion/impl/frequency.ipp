@@ -13,7 +13,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/reciprocal_condition.hpp"
 #include "../../detail/require.hpp"
-#include "../../system/dissipation.hpp"
+#include "../../system/detail/dissipation.hpp"
 
 namespace rollbem {
 

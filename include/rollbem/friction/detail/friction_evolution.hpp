@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/time_step.hpp"
-#include "../../scene/directions.hpp"
-#include "../../system/along_contact.hpp"
-#include "../../system/elements.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../scene/detail/directions.hpp"
+#include "../../system/detail/along_contact.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"

@@ -11,11 +11,11 @@
 
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
-#include "../../rolling/stage_equations.hpp"
-#include "../../rolling/time_step.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/time_step.hpp"
 #include "../../status.hpp"
-#include "../../system/contact_fit.hpp"
-#include "../../system/time_domain.hpp"
+#include "../../system/detail/contact_fit.hpp"
+#include "../../system/detail/time_domain.hpp"
 #include "../detail/rolling_friction.hpp"
 
 namespace rollbem {

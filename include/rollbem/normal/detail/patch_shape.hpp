@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/in_place_lu.hpp"
-#include "../../scene/outline.hpp"
+#include "../../scene/patch_contact.hpp"
 #include "../normal_contact.hpp"
 
 namespace rollbem::detail {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "../rail_patch.hpp"
+#include "../wheel_on_rail.hpp"
 #include "contact_gaps.hpp"
 #include "patch_shape.hpp"
 

@@ -15,7 +15,7 @@
 #include "../detail/elliptic_integrals.hpp"
 #include "../detail/finite_position.hpp"
 #include "../detail/silhouette_search.hpp"
-#include "../hertz_ellipse.hpp"
+#include "../hertz.hpp"
 
 namespace rollbem::detail {
 

@@ -15,14 +15,14 @@
 #include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
-#include "../../scene/mirror.hpp"
+#include "../../elasticity/patch_kernel.hpp"
+#include "../../scene/wheelset.hpp"
 #include "../../steady/creep_coefficients.hpp"
-#include "../contact_row.hpp"
-#include "../contact_zones.hpp"
+#include "../contact_table.hpp"
 #include "../creep_force_table.hpp"
-#include "../patch_elements.hpp"
 #include "../wheelset_on_track.hpp"
+#include "contact_row.hpp"
+#include "patch_elements.hpp"
 
 namespace rollbem::detail {
 

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "../contact_table.hpp"
-#include "../patch_force.hpp"
+#include "../wheelset_forces.hpp"
 #include "creep_matrices.hpp"
 #include "ellipse_creepages.hpp"
 #include "wheelset_velocity.hpp"

@@ -14,9 +14,9 @@
 #include "../../detail/parallel_for.hpp"
 #include "../../detail/require.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
+#include "../../elasticity/patch_kernel.hpp"
 #include "../../friction/model.hpp"
-#include "../../normal/hertz_ellipse.hpp"
+#include "../../normal/hertz.hpp"
 #include "../../rolling/run.hpp"
 #include "../../steady/creep_coefficients.hpp"
 
