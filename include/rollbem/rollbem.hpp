@@ -1,11 +1,6 @@
-// rollbem: tangential rolling contact by boundary elements, on lines and on contact patches. Includes every header that
-// needs Eigen alone; unused parts cost next to nothing to compile. Not included:
-//
-// - rollbem/reference/, which needs GSL;
-// - rollbem/compiled/, which needs the library rollbem::compiled;
-// - rollbem/studies/;
-// - vehicle/make_creep_force_table.hpp, which makes tables;
-// - vehicle/wear.hpp and the making of patches from profiles, which it includes.
+// rollbem: tangential rolling contact by boundary elements, on lines and on contact patches: line.hpp, patch.hpp,
+// stability, state spaces, and tables of creep forces. Not included: profiles.hpp and vehicle.hpp, the making of tables,
+// and rollbem/reference/, which needs GSL.
 #pragma once
 
 #include "accuracy/recommendation.hpp"
@@ -13,6 +8,7 @@
 #include "adhesion/frequency.hpp"
 #include "adhesion/response.hpp"
 #include "adhesion/stability.hpp"
+#include "adhesion/state_space.hpp"
 #include "adhesion/transient.hpp"
 #include "assembly/patch_system.hpp"
 #include "assembly/rolling_system.hpp"
@@ -27,7 +23,6 @@
 #include "normal/hertz.hpp"
 #include "normal/pressure.hpp"
 #include "normal/profile.hpp"
-#include "normal/profile_file.hpp"
 #include "rolling/run.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"
@@ -38,7 +33,6 @@
 #include "status.hpp"
 #include "steady/creep_coefficients.hpp"
 #include "steady/steady.hpp"
-#include "system/detail/dissipation.hpp"
 #include "system/rolling_system.hpp"
 #include "types.hpp"
 #include "vehicle/creep_force_table.hpp"

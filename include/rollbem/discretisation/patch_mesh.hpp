@@ -3,6 +3,8 @@
 // and strip by strip from small to large y, piece by piece where several patches are one mesh.
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -112,60 +114,17 @@ private:
     bool mirrored_ = false;
 };
 
-template <class Scalar>
-PatchMesh<Scalar> PatchMesh<Scalar>::joined(const std::vector<PatchMesh>& pieces) {
-    detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
-    PatchMesh whole = pieces.front();
-    for (std::size_t k = 1; k < pieces.size(); ++k) {
-        const PatchMesh& piece = pieces[k];
-        detail::require(
-            piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
-            "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
-            "be the number of the other strips, with the same edges");
-        for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_, &PatchMesh::middles_x_,
-                                &PatchMesh::half_lengths_}) {
-            Array both((whole.*part).size() + (piece.*part).size());
-            both << whole.*part, piece.*part;
-            whole.*part = std::move(both);
-        }
-    }
-    whole.check();
-    return whole;
-}
-
 /// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height, y/b =
 /// -1 ... 1. A strip is as long as the ellipse at the middle of its width, which is more accurate than the mean length
 /// over the width (docs/measured.md). Throws std::invalid_argument unless a_over_b is positive and finite.
 template <class Scalar>
-PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across) {
-    detail::require_positive("ellipse_mesh", "a_over_b", a_over_b);
-    // sqrt(1 - (y/b)^2) by the distances from both ends, without cancellation
-    return PatchMesh<Scalar>({.along = std::move(along),
-                              .edges = across.edges() / a_over_b,
-                              .middles_y = across.centres() / a_over_b,
-                              .middles_x = ArrayX<Scalar>::Zero(across.size()),
-                              .half_lengths = (across.from_trailing() * across.from_leading()).sqrt()});
-}
+PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across);
 
 /// Any outline, in units of `unit`, e.g. c. `across` divides its height, from -1 at the smallest y to 1 at the largest.
 /// A strip lies between the edges of the outline at the middle of its width.
 template <class Scalar>
 PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
-                               const Mesh<Scalar>& across) {
-    const double middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
-    const Eigen::Index m = across.size();
-    const auto place = [&](Scalar t) { return static_cast<Scalar>(middle + half_height * t); };
-    ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
-    for (Scalar& y : edges) y = place(y) / unit;
-    for (Eigen::Index j = 0; j < m; ++j) {
-        const Scalar y = place(middles[j]);
-        const double trailing = outline.trailing(y), leading = outline.leading(y);
-        middles[j] = y / unit;
-        middles_x[j] = static_cast<Scalar>((trailing + leading) / 2 / unit);
-        half_lengths[j] = static_cast<Scalar>((leading - trailing) / 2 / unit);
-    }
-    return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
-}
+                               const Mesh<Scalar>& across);
 
 namespace detail {
 
@@ -230,13 +189,7 @@ inline Mesh<double> outline_strips(const Outline& outline, Eigen::Index m) {
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.
 template <class Scalar>
-PatchMesh<Scalar> patch_mesh(const PatchContact& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
-    if (contact.outline()) {
-        return outline_mesh<Scalar>(*contact.outline(), static_cast<Scalar>(contact.half_length()), std::move(along),
-                                    across);
-    }
-    return ellipse_mesh<Scalar>(static_cast<Scalar>(contact.a_over_b()), std::move(along), across);
-}
+PatchMesh<Scalar> patch_mesh(const PatchContact& contact, Mesh<Scalar> along, const Mesh<Scalar>& across);
 
 /// The mesh of a contact patch from cosine meshes of n elements a strip and m strips.
 inline PatchMesh<double> patch_mesh(const PatchContact& contact, Eigen::Index n, Eigen::Index m) {
@@ -244,3 +197,13 @@ inline PatchMesh<double> patch_mesh(const PatchContact& contact, Eigen::Index n,
 }
 
 }  // namespace rollbem
+
+#include "impl/patch_mesh.tpp"
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template class PatchMesh<double>;
+extern template PatchMesh<double> patch_mesh<double>(const PatchContact&, Mesh<double>, const Mesh<double>&);
+extern template PatchMesh<double> ellipse_mesh<double>(double, Mesh<double>, const Mesh<double>&);
+}  // namespace rollbem
+#endif

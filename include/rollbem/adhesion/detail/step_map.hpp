@@ -116,3 +116,10 @@ private:
 };
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template class detail::StepMap<1>;
+extern template class detail::StepMap<2>;
+}  // namespace rollbem
+#endif

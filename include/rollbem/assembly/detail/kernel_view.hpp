@@ -34,3 +34,11 @@ KernelView<Scalar>::KernelView(const Kernel& kernel)
       }) {}
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template detail::KernelView<double>::KernelView(const AnyKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const StripKernel<double>&);
+}  // namespace rollbem
+#endif

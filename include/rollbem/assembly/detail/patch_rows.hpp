@@ -322,3 +322,10 @@ struct LateralSlope {
 };
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
+    const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, bool);
+}  // namespace rollbem
+#endif

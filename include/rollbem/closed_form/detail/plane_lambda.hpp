@@ -51,3 +51,9 @@ Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect)
 }  // namespace detail
 
 }  // namespace rollbem
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template double detail::stable_plane_lambda<double>(const char*, double, double);
+}  // namespace rollbem
+#endif

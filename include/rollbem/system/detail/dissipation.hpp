@@ -74,3 +74,9 @@ bool opposes_creepage(const Traction& traction, const ArrayX<Scalar>& widths,
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template bool is_dissipative<double>(MatrixX<double>, const ArrayX<double>&);
+}  // namespace rollbem
+#endif

@@ -110,3 +110,17 @@ void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& sys
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template VectorX<double> detail::steady_tractions<double>(MatrixX<double>, Eigen::Index, Eigen::Index);
+extern template void detail::require_convergent<double, ArrayX<double>>(const char*, const VectorX<double>&,
+                                                                        const ArrayX<double>&, double);
+extern template void detail::require_usable_in_time<double>(const char*, const RollingSystem<double>&,
+                                                            const StabilityVerdict&);
+extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&, double);
+extern template bool detail::converges<double>(const detail::DirectionBlocks<double>&, const ArrayX<double>&);
+extern template void detail::require_usable_in_time<double>(const char*, const ElementSystem<double, 2>&,
+                                                            const StabilityVerdict&);
+}  // namespace rollbem
+#endif
