@@ -21,7 +21,6 @@ template decltype(detail::judge<std::complex<double>, double>) detail::judge<std
 template decltype(detail::solve_copied<std::complex<double>, double>)
     detail::solve_copied<std::complex<double>, double>;
 template Response<std::complex<double>> solve_response<double>(const RollingSystem<double>&, std::complex<double>);
-template double detail::stable_plane_lambda<double>(const char*, double, double);
 template VectorX<double> detail::steady_tractions<double>(MatrixX<double>, Eigen::Index, Eigen::Index);
 template void detail::require_convergent<double, ArrayX<double>>(const char*, const VectorX<double>&,
                                                                  const ArrayX<double>&, double);

@@ -1,6 +1,7 @@
 // Templates of lines: meshes, schemes, kernels, systems and steady rolling.
 #include <rollbem/accuracy/impl/recommendation.ipp>
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/detail/plane_lambda.hpp>
 #include <rollbem/discretisation/impl/mesh.tpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -17,6 +18,7 @@ template void detail::require<int>(bool, const char*, const char*, int, const ch
 template detail::QuadratureRule<double> detail::gauss_legendre<double>(Eigen::Index);
 template double detail::reciprocal_condition<Eigen::PartialPivLU<Eigen::MatrixXd>>(
     const Eigen::PartialPivLU<Eigen::MatrixXd>&, double);
+template double detail::stable_plane_lambda<double>(const char*, double, double);
 template class Mesh<float>;
 template Mesh<float> uniform_mesh<float>(Eigen::Index);
 template Mesh<float> geometric_mesh<float>(Eigen::Index, float);
