@@ -11,7 +11,7 @@ cd "$1"
 find rollbem -name '*.hpp' -o -name '*.ipp' -o -name '*.tpp' | LC_ALL=C sort | xargs awk '
 function complain(text) { print text; ++complaints }
 function stage(file,  parts) {
-    return split(file, parts, "/") > 2 ? parts[2] : parts[2] == "rollbem.hpp" ? "umbrella" : "root"
+    return split(file, parts, "/") > 2 ? parts[2] : parts[2] ~ /^(rollbem|line|patch|profiles|vehicle)\.hpp$/ ? "umbrella" : "root"
 }
 
 # The path "directory/target" without its "." and ".." parts.

@@ -1,0 +1,20 @@
+// Contact patches: their creep coefficients, stick and slip, steady or in time.
+#pragma once
+
+#include "accuracy/recommended_patch.hpp"
+#include "adhesion/frequency.hpp"
+#include "adhesion/stability.hpp"
+#include "adhesion/transient.hpp"
+#include "assembly/patch_shapes.hpp"
+#include "assembly/patch_system.hpp"
+#include "discretisation/patch_mesh.hpp"
+#include "elasticity/rectangle_kernel.hpp"
+#include "friction/model.hpp"
+#include "normal/hertz_ellipse.hpp"
+#include "normal/hertz_patch_load.hpp"
+#include "normal/pressure_grid.hpp"
+#include "rolling/run.hpp"
+#include "scene/outline.hpp"
+#include "scene/patch_contact.hpp"
+#include "steady/creep_coefficients.hpp"
+#include "vehicle/simplified_theory.hpp"
