@@ -301,6 +301,7 @@ struct Panel {
     std::string data{}, script{};
     std::vector<std::string> commands{}, legend{};
     double height = 0;
+    std::optional<double> above{}, frame{};  ///< of a frame to scale: the heights of what is above it, and its own
 };
 
 /// What panels know of those above: the title, the labels by their first line type, and what legends list.
@@ -523,9 +524,12 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
                                                                              : longest(texts) + 20};
     const double frame_width = picture_width - margins.left - margins.right,
                  entry = longest(panel.legend) + 7 * character;
-    // of a frame to scale gnuplot makes legends of one column, as it does not know how wide it will be
-    const double columns = plot.to_scale ? 1 : std::max(std::floor(frame_width / entry), 1.0);
+    const double columns = std::max(std::floor(frame_width / entry), 1.0);
     const double rows = std::ceil(double(panel.legend.size()) / columns);
+    if (plot.to_scale) {
+        panel.above = 45 + line_height * double(lines.size());
+        panel.frame = frame_height(plot, frame_width);
+    }
     panel.height = frame_height(plot, frame_width) + (title.empty() ? 97 : 124) +
                    line_height * (double(lines.size()) + rows + (rows > 0 ? 0.5 : 0));
     for (std::string& line : lines) line = quoted(line);
@@ -573,9 +577,15 @@ std::string gnuplot_script(const Picture& picture, bool png) {
     double top = height;
     for (const Panel& panel : panels) {
         top -= panel.height;
-        script += std::string(frame) + "set size 1," + Cell(panel.height / height).text(6) + "\nset origin 0," +
-                  Cell(top / height).text(6) + "\n" + panel.script + panel.data + "plot " + join(panel.commands, ", ") +
-                  "\n";
+        const auto at_screen = [&](const char* name, double below_top) {
+            return std::string("set ") + name + " at screen " +
+                   Cell((top + panel.height - below_top) / height).text(6) + "\n";
+        };
+        script +=
+            std::string(frame) +
+            (panel.frame ? at_screen("tmargin", *panel.above) + at_screen("bmargin", *panel.above + *panel.frame) : "");
+        script += "set size 1," + Cell(panel.height / height).text(6) + "\nset origin 0," + Cell(top / height).text(6) +
+                  "\n" + panel.script + panel.data + "plot " + join(panel.commands, ", ") + "\n";
     }
     return script + "unset multiplot\n";
 }

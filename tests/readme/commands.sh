@@ -22,7 +22,7 @@ printf '0 1\n2\n0\n1\n-0.2 "wheel.txt"\n0.2 "wheel.txt"\n' >flat.slcw
     awk '/^    (\$ )?(.* )?\.\// || more { sub(/ *# .*/, ""); sub(/^ *(\$ )?/, more ? " " : "")
         more = sub(/ *\\$/, ""); printf "%s%s", $0, more ? "" : "\n" }' $pages | sed 's/^cd build && //' | grep '^\./'
 } | sort -u >commands
-[ "$(wc -l <commands)" -gt 50 ] && grep -q -- '--shift 0,0.004 --plot mine.svg$' commands ||
+[ "$(wc -l <commands)" -gt 40 ] && grep -q -- '--shift 0,0.004 --plot mine.svg$' commands ||
     fail "too few commands: $(cat commands)"
 while IFS= read -r command; do
     case $command in
