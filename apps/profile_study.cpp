@@ -315,16 +315,8 @@ the library has it. At --shift 0.005 --load 8e4 --friction 0.3 the patch on the 
 rows), side, patch, s, x, depth [m], von_mises, tresca [Pa].
 --wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m]
 and work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
-A column distance in --positions: the wheel of --side wears, and its rail by the passages, both by --wear-law, 7850
-kg/m^3. All positions wear together, each by its share, until something is --wear-step deep; then contacts are found
-anew. The wheel's section loses the volume per metre rolled V' times distance/(2 pi r), the rail's V' passages. Wear is
-spread along the profile over 2 mm, as places vary in service and waves must not grow; its area stays. A row for each
-search, the first one of the profiles as they are read:
 )" + profile::wear_help() +
-           R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
---length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
-  profile_study --positions curves.csv --speed 20 --wear-law t-gamma --worn-wheel worn.csv --plot worn.svg
---outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
+           R"(--outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 
 )" + profile::conicity_help() +

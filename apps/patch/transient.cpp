@@ -192,8 +192,10 @@ study::Table transient_table(const TimeScene& scene) {
         if (by_force && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
         return TimeRow{scene, point, patch, moment};
     };
+    // the table refers to its sheet
+    static const study::Sheet<TimeRow, Patch> constant = time_sheet(false), falling = time_sheet(true);
     study::Table table = friction::rolling_table(
-        time_sheet(scene.law.has_value()), scene.patches, scene.run,
+        scene.law ? falling : constant, scene.patches, scene.run,
         [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
     table.plot = [&, by_force](const study::Records& rows) {
         return draw_in_time(rows, scene.run.load_varies(), by_force);

@@ -111,7 +111,18 @@ rollbem::WearLaw read_law(const study::Options& options) {
 
 }  // namespace
 
-std::string wear_help() { return wear_sheet().help(); }
+std::string wear_help() {
+    return R"(A column distance in --positions: the wheel of --side wears, and its rail by the passages, both by --wear-law, 7850
+kg/m^3. All positions wear together, each by its share, until something is --wear-step deep; then contacts are found
+anew. The wheel's section loses the volume per metre rolled V' times distance/(2 pi r), the rail's V' passages. Wear is
+spread along the profile over 2 mm, as places vary in service and waves must not grow; its area stays. A row for each
+search, the first one of the profiles as they are read:
+)" + wear_sheet().help() +
+           R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
+--length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
+  profile_study --positions curves.csv --speed 20 --wear-law t-gamma --worn-wheel worn.csv --plot worn.svg
+)";
+}
 
 void add_wear_options(study::Options& options) {
     options.group("Wear, with a column distance in --positions");

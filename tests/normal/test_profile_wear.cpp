@@ -89,6 +89,15 @@ TEST_CASE("The worn area is the sum of the areas", "[profile]") {
         }
         CHECK(area_between(profile, profile, body) == 0);
     }
+    // in each place by its own radius: a head's corner of 13 mm, and its top of 300 mm
+    const Profile head = rail_60e1(0);
+    const Eigen::ArrayXd even =
+        depth_between(head, worn_by_area(head, Eigen::ArrayXd::Constant(head.size(), 2e-4), Use::rail), Use::rail);
+    for (const auto& [y, radius] : {std::pair{-31e-3, 13e-3}, {0.0, 0.3}}) {
+        Eigen::Index i = 0;
+        (head.y() - y).abs().minCoeff(&i);
+        CHECK(even[i] == Approx(radius - std::sqrt(radius * radius - 2 * radius * 2e-4)).epsilon(1e-4));
+    }
     // a ring: the depth of its area per length
     const Profile hill = arc(0.02, 1, true, 200);
     const Profile after = worn_by_area(hill, Eigen::ArrayXd::Constant(200, 1e-3), Use::rail);
