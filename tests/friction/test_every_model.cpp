@@ -269,6 +269,20 @@ TEST_CASE("Forces and work converge in dq at the order of the integrator", "[fri
     }
 }
 
+TEST_CASE("A rigid shift from rest spends half of its slip work on jumps", "[friction]") {
+    // tractions grow along slip, J is the integral of p s/2
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        const FrictionModel model = make(setup);
+        State next = model.at_rest();
+        Workspace workspace = model.workspace();
+        const Step step = model.advance(model.at_rest(), {Ride::travel(0), shift(2)}, next, workspace);
+        REQUIRE(step.status == Status::ok);
+        CHECK(step.slip_work > 0);
+        CHECK(step.jump_work == Approx(-step.slip_work / 2).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic energy, to second order", "[friction]") {
     for_each(every_setup(20e-6), [](Setup setup) {
         setup.half_width = 50 * a;
