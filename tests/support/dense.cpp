@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
