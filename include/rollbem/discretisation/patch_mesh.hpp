@@ -28,6 +28,16 @@ struct Rectangle {
 /// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
 /// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
 ///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchMesh<double> mesh = ellipse_mesh(1.5, cosine_mesh(8), uniform_mesh(7));  // a/b = 1.5, b = 1/1.5
+///     return mesh.size() == 56 && mesh.is_mirrored() ? 0 : 1;
+/// }
+/// \endcode
+///
 /// Invariant: m >= 1, all widths and half-lengths are positive and finite, and so are all places.
 template <class Scalar_ = double>
 class PatchMesh {
