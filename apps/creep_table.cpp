@@ -16,7 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
@@ -86,7 +88,7 @@ const std::vector<std::string> columns = study::cells_of(
     "rounds,complementarity_residual,time_us,status,nodes");
 
 /// The first columns, which say what node it is.
-study::Row node_cells(const CreepForceSource& source, const Creepage<double>& v) {
+study::Row node_cells(const CreepForceSource& source, const Creepage& v) {
     return {source.contact().a_over_b(),
             source.contact().poisson_ratio(),
             source.mesh().elements_per_strip(),
@@ -107,7 +109,7 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
     Eigen::Index node = first;
     while (!grid.begins_line(node)) --node;
     for (; node < last; ++node) {
-        const Creepage<double> v = grid.creepage(slab.shape, node);
+        const Creepage v = grid.creepage(slab.shape, node);
         const CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
@@ -183,7 +185,7 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
         const double level = 0.02 * std::pow(1000, uniform(random)), radius = std::sqrt(1 - height * height);
         const Eigen::Array3d direction =
             level * Eigen::Array3d(radius * std::cos(angle), radius * std::sin(angle), height);
-        const Creepage<double> v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
+        const Creepage v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
         const CreepForceSource::Solution solved = source.solve(v, true);
         const double load = contact.half_width();  // G a b
         const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});

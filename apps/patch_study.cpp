@@ -16,9 +16,18 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "patch/patch.hpp"
 #include "support/options.hpp"
@@ -144,7 +153,7 @@ Found steady(const Patch& patch, bool timed, bool stability) {
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
                 const study::Results<Found>& emit) {
     // One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::FrequencySweep<double> sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
+    const rollbem::FrequencySweep sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -158,8 +167,8 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-rollbem::StateSpace<double> equations_of(const Patch& patch) {
-    rollbem::StateSpace<double> space =
+rollbem::StateSpace equations_of(const Patch& patch) {
+    rollbem::StateSpace space =
         rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
     // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
     const double force = patch.contact.a_over_b(), length = std::sqrt(force);

@@ -19,7 +19,7 @@
 
 #include <Eigen/Dense>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>

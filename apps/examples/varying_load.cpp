@@ -6,12 +6,12 @@
 
 int main() {
     using namespace rollbem;
-    const ElasticBody<double> steel{2.1e11, 0.28};
-    const HertzLine<double> line({.load_per_width = 1e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
-    const Contact<double> contact = line.contact(0.5);  // half-width [m]
+    const ElasticBody steel{2.1e11, 0.28};
+    const HertzLine line({.load_per_width = 1e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+    const Contact contact = line.contact(0.5);  // half-width [m]
     const Mesh<double> mesh = cosine_mesh(40);
-    const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
-    NormalLoad<double> load = hertz.at(1e6);
+    const HertzLoad hertz = HertzLoad::breathing(line, mesh);
+    NormalLoad load = hertz.at(1e6);
     const auto system =
         rolling_system(mesh, NodeDifference{Nodes::chebyshev}, PlaneKernel<double>::longitudinal(contact));
     const FrictionModel model(contact, system, judge_stability(system), {0.3, load.normal_pressure});

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/closed_form/carter.hpp>
 
 #include "support/timing.hpp"
 

@@ -3,9 +3,16 @@
 #include <cstddef>
 #include <numbers>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/rolling.hpp"
 #include "patch.hpp"
@@ -89,7 +96,7 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
 }
 
 double largest_slip(const Patch& patch, const CreepPoint& point, const rollbem::Elements<double>& elements) {
-    const rollbem::Creepage<double> motion = creepage(patch, point);
+    const rollbem::Creepage motion = creepage(patch, point);
     const double spin = motion.spin * patch.contact.half_length();
     const double largest =
         ((motion.longitudinal - spin * elements.y).square() + (motion.lateral + spin * elements.x).square())

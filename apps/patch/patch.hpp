@@ -14,7 +14,7 @@
 
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/scene/creepage.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 
@@ -30,7 +30,7 @@ namespace patch {
 
 /// One contact patch and its mesh.
 struct Patch {
-    rollbem::PatchContact<double> contact;  ///< a = G = 1; an outline in its own unit of length
+    rollbem::PatchContact contact;  ///< a = G = 1; an outline in its own unit of length
     rollbem::PatchMesh<double> mesh;
     rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
@@ -53,10 +53,10 @@ study::Cell scene_cell(const Patch& patch, const std::string& column);
 // --- friction
 
 /// Creepages times G a b/(mu N), spin times G a b c/(mu N).
-using CreepPoint = rollbem::Creepage<double>;
+using CreepPoint = rollbem::Creepage;
 
 /// The creepages themselves.
-inline rollbem::Creepage<double> creepage(const Patch& patch, const CreepPoint& point) {
+inline rollbem::Creepage creepage(const Patch& patch, const CreepPoint& point) {
     return {point.longitudinal, point.lateral, point.spin / patch.contact.c()};
 }
 

@@ -7,9 +7,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/pressure_grid.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "patch.hpp"
 #include "support/input.hpp"
@@ -19,9 +21,9 @@ namespace patch {
 namespace {
 
 using study::array, study::Numbers;
-using Contact = rollbem::PatchContact<double>;
+using Contact = rollbem::PatchContact;
 using Mesh = rollbem::Mesh<double>;
-using Outline = rollbem::Outline<double>;
+using Outline = rollbem::Outline;
 
 constexpr std::ptrdiff_t most_elements = 10000;
 
@@ -175,7 +177,7 @@ study::Cell scene_cell(const Patch& patch, const std::string& column) {
 namespace {
 
 /// The grid of --pressure, whose rows may have any order.
-rollbem::PressureGrid<double> read_grid(const study::Options& options) {
+rollbem::PressureGrid read_grid(const study::Options& options) {
     std::map<std::pair<double, double>, double> points;
     const std::vector<study::Numbers> columns =
         study::read_columns(options, "pressure", "x,y,pressure", "", [&](const auto& read, const std::string& where) {
@@ -200,13 +202,12 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
             pressures(i, j) = point->second;
         }
     }
-    return study::blame(options.said("pressure"),
-                        [&] { return rollbem::PressureGrid<double>(x, y, std::move(pressures)); });
+    return study::blame(options.said("pressure"), [&] { return rollbem::PressureGrid(x, y, std::move(pressures)); });
 }
 
 /// The mean pressures on the elements by a grid that the options `said`, which measures an ellipse in a
 /// and b, an outline in its own unit.
-Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::string& said, const Patch& patch) {
+Eigen::ArrayXd means_of(const rollbem::PressureGrid& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
     std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);

@@ -4,11 +4,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/rolling.hpp"
 #include "patch.hpp"
@@ -17,7 +23,7 @@ namespace patch {
 
 namespace {
 
-using PatchContact = rollbem::PatchContact<double>;
+using PatchContact = rollbem::PatchContact;
 using friction::Rolling;
 
 // --- contacts ------------------------------------------------------------------------------------------------------
@@ -81,14 +87,14 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     if (scene.run.breathing) {
         rolling.load_at = [&patch, &scene, pressures](double q) {
             const AxisRatios axes = scene.axes(q);
-            return rollbem::NormalLoad<double>{scene.run.load_ratio(q) / (axes.a * axes.b) * pressures,
-                                               axes.a * patch.contact.half_length(),
-                                               {},
-                                               axes.b * patch.contact.half_width()};
+            return rollbem::NormalLoad{scene.run.load_ratio(q) / (axes.a * axes.b) * pressures,
+                                       axes.a * patch.contact.half_length(),
+                                       {},
+                                       axes.b * patch.contact.half_width()};
         };
         return rolling;
     }
-    const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
+    const rollbem::SemiAxes least = rollbem::least_resolved(covered.contact, covered.mesh);
     rolling.fits = [&scene, &patch, least](double q) {
         if (scene.run.load_ratio(q) == 0) return true;
         const PatchContact now = stretched(patch.contact, scene.axes(q));
@@ -96,7 +102,7 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     };
     rolling.load_at = [&patch, &scene, contact = covered.contact,
                        elements = covered.mesh.rectangles(covered.contact.half_length())](double q) {
-        rollbem::NormalLoad<double> normal{
+        rollbem::NormalLoad normal{
             Eigen::ArrayXd::Zero(Eigen::Index(elements.size())), contact.half_length(), {}, contact.half_width()};
         const double ratio = scene.run.load_ratio(q);
         if (ratio == 0) return normal;

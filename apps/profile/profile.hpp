@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/vehicle/equivalent_conicity.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "support/csv.hpp"
 #include "support/options.hpp"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/profile_file.hpp>
 
 #include "profile.hpp"
 #include "support/input.hpp"

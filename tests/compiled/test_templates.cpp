@@ -11,8 +11,7 @@ namespace {
 
 using namespace rollbem;
 
-const Contact<float> contact(
-    {.half_length = 5e-3F, .half_width = 50e-3F, .shear_modulus = 8e10F, .poisson_ratio = 0.28F});
+const Contact contact({.half_length = 5e-3F, .half_width = 50e-3F, .shear_modulus = 8e10F, .poisson_ratio = 0.28F});
 const Mesh<float> mesh = cosine_mesh<float>(20);
 const NodeDifference scheme{};
 const auto kernel = PlaneKernel<float>::longitudinal(contact);
@@ -24,8 +23,8 @@ TEST_CASE("templates: a line in full adhesion has one c11", "[templates]") {
     CHECK(relative(c11, steady_c11(0.28F)) < 1e-2F);
     CHECK(relative(solve_steady(Chebyshev{8}, kernel).c11(), steady_c11(0.28F)) < 1e-5F);
     const ElementSystem<float> system = rolling_system(mesh, scheme, kernel);
-    CHECK(relative(FrequencySweep<float>(system)(0).c11().real(), c11) < 1e-5F);
-    const StateSpace<float> space = state_space<float>(system);
+    CHECK(relative(FrequencySweep(system)(0).c11().real(), c11) < 1e-5F);
+    const StateSpace space = state_space(system);
     const MatrixX<float> rates = space.A.inverse();
     CHECK(relative((space.D - space.C * rates * space.B)(0, 0), c11) < 1e-3F);
 
@@ -45,7 +44,7 @@ TEST_CASE("templates: a line in full adhesion has one c11", "[templates]") {
 }
 
 TEST_CASE("templates: a patch rolls as steady rolling says", "[templates]") {
-    const PatchContact<float> patch(
+    const PatchContact patch(
         {.half_length = 6e-3F, .half_width = 5e-3F, .shear_modulus = 8e10F, .poisson_ratio = 0.28F});
     const PatchMesh<float> elements = patch_mesh(patch, 6, 6);
     const HalfSpace<float> half_space(0.28F);
@@ -53,7 +52,7 @@ TEST_CASE("templates: a patch rolls as steady rolling says", "[templates]") {
     const auto force = creep_force(patch, steady, {1e-4F, 2e-4F, 0.01F});
     const ElementSystem<float, 2> system = rolling_system(elements, scheme, half_space);
     const AdhesionModel<2, float> model(patch, system, unchecked);
-    const auto found = model.force(model.steady(Creepage<float>{1e-4F, 2e-4F, 0.01F}));
+    const auto found = model.force(model.steady(Creepage{1e-4F, 2e-4F, 0.01F}));
     CHECK(relative(found.longitudinal, force.longitudinal) < 1e-4F);
     CHECK(relative(found.lateral, force.lateral) < 1e-4F);
     CHECK(relative(found.moment, force.moment) < 1e-3F);

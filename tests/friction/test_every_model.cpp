@@ -210,7 +210,7 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
                 };
                 agrees(ride.try_steady(creepage(ratio, 20)), ride.next);
                 agrees(
-                    ride.alone().steady(settled, {Travel<>::at_speed(speed), creepage(ratio, 20)}, ride.next, ride.own),
+                    ride.alone().steady(settled, {Travel::at_speed(speed), creepage(ratio, 20)}, ride.next, ride.own),
                     ride.next);
             }
         }

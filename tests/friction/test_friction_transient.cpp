@@ -4,9 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -35,13 +40,13 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
             const FrictionModel model = grippy.transient(integrator), slippery = scene.transient(integrator);
             FrictionState now = model.at_rest(), next = now, small_now = slippery.at_rest(), small_next = small_now;
             FrictionWorkspace workspace = model.workspace(), small_workspace = slippery.workspace();
-            AdhesionState<> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            AdhesionState linear_now = full_adhesion.at_rest(), linear_next = linear_now;
             AdhesionWorkspace<> linear_workspace = full_adhesion.workspace();
             using LinearMotion = RigidMotion<double>;
             for (int step = 1; step <= 20; ++step) {
                 const double xi = 0.1 * std::sin(0.3 * step), dq = step % 4 == 0 ? 0.5 : 0.2;
                 const auto motion = [&](double scale) {
-                    const Creepage<double> start{scale * 0.02}, end{scale * xi};
+                    const Creepage start{scale * 0.02}, end{scale * xi};
                     return step % 3 == 0   ? Motion(end)
                            : step % 3 == 1 ? Motion::linear(start, end)
                                            : Motion::shift(end);
@@ -133,10 +138,10 @@ TEST_CASE("Matrices that do not belong to elements are rejected by name", "[fric
     const FrictionModel smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     FrictionState next = smooth.at_rest();
     FrictionWorkspace workspace = smooth.workspace();
-    CHECK(smooth.advance(smooth.at_rest(), {0.1, Creepage<double>{1e-3}}, next, workspace).force.longitudinal == 0);
+    CHECK(smooth.advance(smooth.at_rest(), {0.1, Creepage{1e-3}}, next, workspace).force.longitudinal == 0);
     scene.friction.normal_pressure[5] = 0;
     const FrictionModel gap = scene.transient();
-    CHECK(gap.advance(gap.at_rest(), {0.1, Creepage<double>{1e-3}}, next, workspace).status == Status::ok);
+    CHECK(gap.advance(gap.at_rest(), {0.1, Creepage{1e-3}}, next, workspace).status == Status::ok);
     CHECK(next.traction(5, 0) == 0);
 }
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 namespace dense {
 

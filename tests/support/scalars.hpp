@@ -17,7 +17,7 @@
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
     keyword template decltype(detail::factorise<Scalar, Scalar>) detail::factorise<Scalar, Scalar>; \
     keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;         \
-    keyword template class AdhesionModel<1, Scalar>;
+    keyword template class AdhesionModel<1>;
 
 namespace rollbem {
 

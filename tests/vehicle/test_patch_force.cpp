@@ -1,4 +1,4 @@
-// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp, vehicle/wheelset_forces.hpp
+// rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,11 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/scene/mirror.hpp>
-#include <rollbem/vehicle/patch_elements.hpp>
-#include <rollbem/vehicle/patch_force.hpp>
+#include <rollbem/scene/wheelset.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
@@ -64,8 +63,8 @@ TEST_CASE("Creepages of a mirror image are mirror images of creepages, and force
     const RailPatch patch = mirrored(scene.patch, mirror);
     const WheelsetPosition at = mirrored(scene.at, mirror);
     const WheelsetSpeeds speeds = mirrored(scene.speeds, mirror);
-    const Creepage<double> own = mirrored(creepage_of(patch, at, speeds, 0.46), mirror),
-                           expected = creepage_of(scene.patch, scene.at, scene.speeds, 0.46);
+    const Creepage own = mirrored(creepage_of(patch, at, speeds, 0.46), mirror),
+                   expected = creepage_of(scene.patch, scene.at, scene.speeds, 0.46);
     CHECK(own.longitudinal == Approx(expected.longitudinal));
     CHECK(own.lateral == Approx(expected.lateral));
     CHECK(own.spin == Approx(expected.spin));
@@ -219,7 +218,7 @@ TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[pr
     const PatchForce found = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction);
     REQUIRE(found.status == Status::ok);
     double square = 0;  // integral of half the squared length
-    const Outline<double>& outline = *scene.patch.outline;
+    const Outline& outline = *scene.patch.outline;
     constexpr int lines = 2000;
     for (int k = 0; k < lines; ++k) {
         const double s = outline.low() + (k + 0.5) / lines * (outline.high() - outline.low()),

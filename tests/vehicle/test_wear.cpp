@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -198,7 +198,7 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
         CHECK(refused(coefficient, {.elements = 0}) == "strip_work_of: number of elements = 0 must be at least 1");
     }
     WheelForces::Point other = point;
-    other.ellipse = PatchContact<double>({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
+    other.ellipse = PatchContact({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
     CHECK(refusal([&] { strip_work_of(other, creep(), mu); }) ==
           "creep_coefficients: poisson_ratio = 0.35 must be within 0.01 of the table's, 0.28");
 
@@ -206,7 +206,7 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     CHECK(strip_work_of(point, creep(), 1e300).strip_work.sum() == Approx(t_gamma(point)).epsilon(1e-12));
     CHECK(strip_work_of(point, creep(), 0, {.strips = 3}).strip_work.size() == 3);
     for (const double coefficient : {0.0, mu}) {
-        for (const Creepage<double>& creepage : {Creepage<double>{nan, 0, 0}, {0, 1e308, 0}}) {
+        for (const Creepage& creepage : {Creepage{nan, 0, 0}, {0, 1e308, 0}}) {
             other = point;
             other.creepage = creepage;
             const PatchForce found = strip_work_of(other, creep(), coefficient);
@@ -251,7 +251,7 @@ TEST_CASE("Work of a point without load or without slip", "[wear]") {
         beside.rail_y = 1;
         return beside;
     }())));
-    const auto kalker = creep_coefficients(creep(), PatchContact<double>({6e-3, 6e-3, 8e10, 0.28}));
+    const auto kalker = creep_coefficients(creep(), PatchContact({6e-3, 6e-3, 8e10, 0.28}));
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
     CHECK(kalker.c23 == Approx(1.4881).epsilon(2e-2));

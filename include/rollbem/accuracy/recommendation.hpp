@@ -1,10 +1,13 @@
-// Discretisation for a required accuracy: the number of Chebyshev states in full adhesion, mesh and number of elements
-// with friction. Based on tables of measured errors below; independent of any matrices.
+// Schemes, numbers of elements and patches for a required accuracy, extrapolation to small elements, and the derivative
+// of a step's force by the distance rolled.
 #pragma once
+
+#include "../detail/language.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -14,12 +17,72 @@
 
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
-#include "../discretisation/any_scheme.hpp"
 #include "../discretisation/mesh.hpp"
+#include "../discretisation/patch_mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../spectral/chebyshev.hpp"
-#include "richardson.hpp"
+#include "../status.hpp"
 
 namespace rollbem {
+
+/// Result of extrapolate().
+template <class Value>
+struct Extrapolation {
+    using Real = decltype(std::abs(Value()));
+
+    Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
+    /// |value minus the extrapolation from the two coarser values|: an upper estimate of the absolute error in value.
+    Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
+    /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
+    Real observed_order = std::numeric_limits<Real>::quiet_NaN();
+    Status status = Status::not_finite;  ///< order_differs: the finest value is returned unchanged
+};
+
+/// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
+/// elements. Whether p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
+/// positive and finite.
+template <class Value>
+Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
+    detail::require_positive("richardson", "order", order);
+    return fine + (fine - coarse) / (std::exp2(order) - 1);
+}
+
+/// Values of solve(n), solve(2n) and solve(4n), extrapolated with the given order if they confirm it: the observed
+/// order must lie within `band` of it. Otherwise the status is order_differs, as on meshes that are too coarse, for
+/// schemes whose error changes sign (the uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve.
+/// Values that agree to rounding count as converged. `solve` takes a number of elements and returns a real or complex
+/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on
+/// exceptions of solve.
+template <class Solve>
+auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
+    -> Extrapolation<std::decay_t<decltype(solve(n))>> {
+    using Value = std::decay_t<decltype(solve(n))>;
+    using Real = typename Extrapolation<Value>::Real;
+    detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
+    detail::require_positive("extrapolate", "order", order);
+    detail::require_positive("extrapolate", "band", band);
+    const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
+    Extrapolation<Value> result;
+    result.value = fine;
+    const Real before = std::abs(coarse - middle), last = std::abs(middle - fine);
+    if (!detail::is_finite(before) || !detail::is_finite(last) || !detail::is_finite(fine)) return result;
+    const Real rounding = static_cast<Real>(64 * n) * std::numeric_limits<Real>::epsilon() * std::abs(fine);
+    if (before <= rounding && last <= rounding) {
+        result.error_estimate = rounding;
+        result.status = Status::ok;
+        return result;
+    }
+    result.observed_order = std::log2(before / last);
+    result.status = Status::order_differs;
+    const Value extrapolated = richardson(middle, fine, static_cast<Real>(order));
+    result.error_estimate = std::abs(extrapolated - richardson(coarse, middle, static_cast<Real>(order)));
+    const Real difference = std::abs(result.observed_order - static_cast<Real>(order));
+    if (!detail::is_finite(difference) || !(difference <= static_cast<Real>(band))) return result;
+    result.value = extrapolated;
+    result.status = Status::ok;
+    return result;
+}
 
 /// The purpose of a scheme, and the relative error that its tolerance limits: Purpose::steady, Purpose::frequency,
 /// Purpose::time_loop, Purpose::friction. Full adhesion and friction have different types because different kinds of
@@ -201,6 +264,88 @@ inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::A
 ///     const FrictionModel model(contact, steady_system(mesh, best.scheme, kernel), friction);
 inline Recommendation<AnyScheme> recommended_scheme(double tolerance, Purpose::Friction purpose) {
     return recommended_elements(tolerance, purpose);
+}
+
+/// Strips of equal width, an odd number of them, and the cosine mesh along each. With spin the direction of slip turns
+/// about a point inside the contact: cosine strips are widest there, and an even number of strips has an edge through
+/// the middle, which makes the error of spin alone larger. In full adhesion, by contrast, cosine strips are better.
+struct RecommendedPatch {
+    Eigen::Index n = 0;  ///< elements in each strip
+    Eigen::Index strips = 0;
+    double error_bound = 0;   ///< bound of the errors of |F_x| and |F_y| over mu N, at most the required tolerance
+    double moment_bound = 0;  ///< bound of the error of |M_z| over mu N c, c = sqrt(a b)
+
+    PatchMesh<double> mesh(const PatchContact& contact) const {
+        return patch_mesh(contact, cosine_mesh<double>(n), uniform_mesh<double>(strips));
+    }
+};
+
+/// The number of strips for n elements in each: n/2 for a/b >= 1, (b/a)^(2/3) times as many below, odd. Additional
+/// elements in a strip improve accuracy more than additional strips, until elements are as long as strips are wide.
+/// Throws std::invalid_argument unless n >= 1 and 0.1 <= a_over_b <= 25.
+inline Eigen::Index recommended_strips(Eigen::Index n, double a_over_b) {
+    detail::require(n >= 1, "recommended_strips", "n", n, "be at least 1");
+    detail::require(!detail::is_nan(a_over_b) && a_over_b >= 0.1 && a_over_b <= 25, "recommended_strips", "a_over_b",
+                    a_over_b, "lie in [0.1, 25]: other ratios were not measured");
+    const double half = static_cast<double>(n) / 4 * (std::max)(1.0, std::pow(a_over_b, -2.0 / 3));
+    return 2 * static_cast<Eigen::Index>(half) + 1;
+}
+
+/// The coarsest patch of node differences between Chebyshev nodes, slip turned, whose steady forces under Hertz's
+/// pressure stay within `tolerance` times mu N of the limit of small elements, for all creepages together with spin up
+/// to |phi| <= spin mu N/(c23 G a b c): `spin` is the lateral force, over mu N, that the spin would make without slip.
+/// By default spin is not limited; 0 means no spin.
+///
+/// The bounds, which docs/measured.md compares with the largest errors found:
+///
+/// - forces: k/n^2, k = 4 spin, at least 1.6 and at most 5, times sqrt(a/b) below a/b = 1 and times sqrt(a/b/10) above
+///   10;
+/// - moment: 1.5/n^2, with spin times sqrt(a/b) above a/b = 1.
+///
+/// Richardson extrapolation is not used: it lowers the mean error, but with spin not the largest one, as the border of
+/// slip jumps from element to element.
+///
+///     const RecommendedPatch best = recommended_patch(0.02, contact.a_over_b());  // a/b = 1: 16 x 9
+///     const PatchMesh<double> mesh = best.mesh(contact);
+///
+/// Throws std::invalid_argument unless 0.1 <= a_over_b <= 25, spin >= 0 and tolerance < 1 is large enough for n = 32.
+inline RecommendedPatch recommended_patch(double tolerance, double a_over_b,
+                                          double spin = std::numeric_limits<double>::infinity()) {
+    constexpr Eigen::Index least_n = 6, largest_n = 32;
+    RecommendedPatch result{.n = least_n, .strips = recommended_strips(least_n, a_over_b)};
+    detail::require(!detail::is_nan(spin) && spin >= 0, "recommended_patch", "spin", spin, "not be negative");
+    const double factor = (std::max)(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt((std::min)(1.0, a_over_b)) *
+                          std::sqrt((std::max)(1.0, a_over_b / 10));
+    const auto bound = [&](Eigen::Index n) { return factor / static_cast<double>(n * n); };
+    if (!detail::is_finite(tolerance) || !(tolerance >= bound(largest_n) && tolerance < 1)) {
+        const std::string rule =
+            "lie in [" + detail::to_text(bound(largest_n)) + ", 1): finer patches were not measured";
+        detail::require(false, "recommended_patch", "tolerance", tolerance, rule.c_str());
+    }
+    while (bound(result.n) > tolerance) result.n += 2;
+    result.strips = recommended_strips(result.n, a_over_b);
+    result.error_bound = bound(result.n);
+    const double moment_factor = 1.5 * (spin > 0 ? std::sqrt((std::max)(1.0, a_over_b)) : 1);
+    result.moment_bound = moment_factor / static_cast<double>(result.n * result.n);
+    return result;
+}
+
+/// d force / d dq [N/m] of a step over the distance dq [m] >= 0 in a contact of half-length a [m]. `force_at(dq)` is
+/// the force, a number or a TangentialForce, of a step from the same state under the same rigid shift and the same load
+/// at its end. Differences are central, over 1e-5 of dq or a, whichever is longer; near zero, where the contact cannot
+/// roll less, they are one-sided and also of second order.
+///
+///     const auto tangent = tangent_by_distance(dq, contact.half_length(), [&](double distance) {
+///         return model.advance(now, {distance, Motion::shift(shift), load}, next, workspace).force;
+///     });
+///
+/// d force / dV at constant slip velocities is this times the duration of the step.
+template <class Step>
+auto tangent_by_distance(double dq, double a, const Step& force_at) {
+    const double change = 1e-5 * (std::max)(dq, a);
+    const double weight = 1 / (2 * change);
+    if (dq >= change) return weight * force_at(dq + change) + -weight * force_at(dq - change);
+    return 4 * weight * force_at(dq + change) + -3 * weight * force_at(dq) + -weight * force_at(dq + 2 * change);
 }
 
 }  // namespace rollbem

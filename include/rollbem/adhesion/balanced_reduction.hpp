@@ -23,15 +23,14 @@ namespace rollbem {
 
 /// A StateSpace reduced to K states. Invariant if status is ok: its A is stable, and its steady state c(0) equals the
 /// original's; otherwise all of its matrices are empty.
-template <class Scalar>
 struct BalancedReduction {
-    StateSpace<Scalar> space;  ///< K states, and D != 0
+    StateSpace space;  ///< K states, and D != 0
     /// Hankel singular values of the original, decreasing, in the unit of c; values below rounding, n eps times the
     /// largest, are left out. They depend neither on K nor on the choice of states.
-    ArrayX<Scalar> hankel_singular_values;
+    ArrayX<double> hankel_singular_values;
     /// |c(s) - c_K(s)| <= error_bound in the 2-norm where Re s >= 0, but for rounding: twice the sum of the singular
     /// values from the (K+1)-th on (Glover, Int. J. Control 39 (1984) 1115-1193).
-    Scalar error_bound = 0;
+    double error_bound = 0;
     /// unstable: a mode of the original grows; ill_conditioned: rounding of A could make one grow, or no input reaches
     /// an output, or the reduced system does not decay.
     Status status = Status::not_finite;
@@ -41,26 +40,24 @@ namespace detail {
 
 /// Whether the eigenvalues, the diagonal of a Schur form T of A, have negative real parts: ok if rounding of A cannot
 /// change that, else unstable or ill_conditioned.
-template <class Scalar>
-Status decay_status(const MatrixX<std::complex<Scalar>>& T) {
-    const Scalar rounding = static_cast<Scalar>(T.rows()) * std::numeric_limits<Scalar>::epsilon() * T.norm();
-    const Scalar largest = T.diagonal().real().maxCoeff();
+inline Status decay_status(const MatrixX<std::complex<double>>& T) {
+    const double rounding = static_cast<double>(T.rows()) * std::numeric_limits<double>::epsilon() * T.norm();
+    const double largest = T.diagonal().real().maxCoeff();
     if (!all_finite(T)) return Status::not_finite;
     return largest > rounding ? Status::unstable : largest >= -rounding ? Status::ill_conditioned : Status::ok;
 }
 
 /// A real n x n factor M of the Gramian X = M M^T, X = (Z U) (Z U)^H; its columns decrease.
-template <class Scalar>
-MatrixX<Scalar> real_factor(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<std::complex<Scalar>>& U) {
+inline MatrixX<double> real_factor(const MatrixX<std::complex<double>>& Z, const MatrixX<std::complex<double>>& U) {
     const Eigen::Index n = Z.rows();
-    const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag(), U_re = U.real(), U_im = U.imag();
-    MatrixX<Scalar> parts(n, 2 * n);  // X is real, and therefore Re(Z U) Re(Z U)^T + Im(Z U) Im(Z U)^T
+    const MatrixX<double> Z_re = Z.real(), Z_im = Z.imag(), U_re = U.real(), U_im = U.imag();
+    MatrixX<double> parts(n, 2 * n);  // X is real, and therefore Re(Z U) Re(Z U)^T + Im(Z U) Im(Z U)^T
     parts.leftCols(n).noalias() = Z_re * U_re;
     parts.leftCols(n).noalias() -= Z_im * U_im;
     parts.rightCols(n).noalias() = Z_re * U_im;
     parts.rightCols(n).noalias() += Z_im * U_re;
-    const Eigen::ColPivHouseholderQR<MatrixX<Scalar>> qr(parts.transpose());
-    MatrixX<Scalar> factor = MatrixX<Scalar>::Zero(n, n);
+    const Eigen::ColPivHouseholderQR<MatrixX<double>> qr(parts.transpose());
+    MatrixX<double> factor = MatrixX<double>::Zero(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
         factor.row(qr.colsPermutation().indices()[j]).head(j + 1) = qr.matrixQR().col(j).head(j + 1);
     }
@@ -68,16 +65,14 @@ MatrixX<Scalar> real_factor(const MatrixX<std::complex<Scalar>>& Z, const Matrix
 }
 
 /// The number of columns above rounding of a matrix whose columns decrease.
-template <class Scalar>
-Eigen::Index numerical_rank(const MatrixX<Scalar>& factor) {
-    return (factor.colwise().norm().array() > std::numeric_limits<Scalar>::epsilon() * factor.norm()).count();
+inline Eigen::Index numerical_rank(const MatrixX<double>& factor) {
+    return (factor.colwise().norm().array() > std::numeric_limits<double>::epsilon() * factor.norm()).count();
 }
 
 /// Z^H B for real B.
-template <class Scalar>
-MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<Scalar>& B) {
-    const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag();
-    MatrixX<std::complex<Scalar>> result(B.rows(), B.cols());
+inline MatrixX<std::complex<double>> transformed(const MatrixX<std::complex<double>>& Z, const MatrixX<double>& B) {
+    const MatrixX<double> Z_re = Z.real(), Z_im = Z.imag();
+    MatrixX<std::complex<double>> result(B.rows(), B.cols());
     result.real() = Z_re.transpose() * B;
     result.imag() = -Z_im.transpose() * B;
     return result;
@@ -85,25 +80,23 @@ MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z
 
 /// Hankel singular values above rounding, decreasing, and for each a direction in V (columns) and W (rows) of the
 /// balanced states x = V z, z = W x.
-template <class Scalar>
 struct Balance {
     Status status;  ///< ok, not_finite, or ill_conditioned where there are none
-    ArrayX<Scalar> sigma{};
-    MatrixX<Scalar> V{}, W{};
+    ArrayX<double> sigma{};
+    MatrixX<double> V{}, W{};
 };
 
 /// Balances a state space with the Schur form A = Z T Z^H, by the square-root method.
-template <class Scalar>
-Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::complex<Scalar>>& Z,
-                        const MatrixX<std::complex<Scalar>>& T) {
-    using Matrix = MatrixX<Scalar>;
-    using ComplexMatrix = MatrixX<std::complex<Scalar>>;
-    const ComplexMatrix inputs = transformed<Scalar>(Z, space.B);
-    Matrix M_c = real_factor<Scalar>(Z, gramian_factor<Scalar>(T, inputs));
+inline Balance balance(const StateSpace& space, const MatrixX<std::complex<double>>& Z,
+                       const MatrixX<std::complex<double>>& T) {
+    using Matrix = MatrixX<double>;
+    using ComplexMatrix = MatrixX<std::complex<double>>;
+    const ComplexMatrix inputs = transformed(Z, space.B);
+    Matrix M_c = real_factor(Z, gramian_factor(T, inputs));
     // T^H Y + Y T + C^H C = 0 is an equation of the same kind with rows and columns in reverse order
-    const ComplexMatrix outputs = transformed<Scalar>(Z, space.C.transpose()).colwise().reverse();
-    const ComplexMatrix reversed = gramian_factor<Scalar>(T.adjoint().reverse(), outputs);
-    Matrix M_o = real_factor<Scalar>(Z, reversed.colwise().reverse());
+    const ComplexMatrix outputs = transformed(Z, space.C.transpose()).colwise().reverse();
+    const ComplexMatrix reversed = gramian_factor(T.adjoint().reverse(), outputs);
+    Matrix M_o = real_factor(Z, reversed.colwise().reverse());
 
     if (!is_finite(M_c.norm() * M_o.norm())) return {.status = Status::not_finite};
     const Eigen::Index rank = (std::max)(numerical_rank(M_c), numerical_rank(M_o));
@@ -112,10 +105,10 @@ Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::comp
     const Matrix product = M_o.transpose() * M_c;
     if (product.norm() == 0) return {.status = Status::ill_conditioned};
     const Eigen::JacobiSVD<Matrix, Eigen::NoQRPreconditioner> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const ArrayX<Scalar> sigma = svd.singularValues();
-    const Scalar rounding = static_cast<Scalar>(space.A.rows()) * std::numeric_limits<Scalar>::epsilon() * sigma[0];
+    const ArrayX<double> sigma = svd.singularValues();
+    const double rounding = static_cast<double>(space.A.rows()) * std::numeric_limits<double>::epsilon() * sigma[0];
     const Eigen::Index count = (sigma > rounding).count();
-    const VectorX<Scalar> scale = sigma.head(count).sqrt().inverse().matrix();
+    const VectorX<double> scale = sigma.head(count).sqrt().inverse().matrix();
     return {.status = Status::ok,
             .sigma = sigma.head(count),
             .V = M_c * svd.matrixV().leftCols(count) * scale.asDiagonal(),
@@ -124,15 +117,14 @@ Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::comp
 
 /// Reduces a state space to the states that the columns of V span and the rows of W measure, while all other states
 /// follow without delay: A^-1 is restricted to V, along the null space of W, and inverted again.
-template <class Scalar>
-StateSpace<Scalar> residualised(const StateSpace<Scalar>& space, const MatrixX<Scalar>& V, const MatrixX<Scalar>& W) {
-    using Matrix = MatrixX<Scalar>;
+inline StateSpace residualised(const StateSpace& space, const MatrixX<double>& V, const MatrixX<double>& W) {
+    using Matrix = MatrixX<double>;
     const Eigen::PartialPivLU<Matrix> lu(space.A);
     const Matrix inverse_B = lu.solve(space.B), inverse_V = lu.solve(V), output = space.C * inverse_V;
     // W V is the identity but for rounding; solving with it makes the projection exact
     const Eigen::PartialPivLU<Matrix> along(W * V);
     const Eigen::PartialPivLU<Matrix> inverse_A(along.solve(W * inverse_V));
-    StateSpace<Scalar> reduced;
+    StateSpace reduced;
     reduced.A = inverse_A.inverse();
     reduced.B = inverse_A.solve(along.solve(W * inverse_B));
     reduced.C = output * reduced.A;
@@ -141,8 +133,7 @@ StateSpace<Scalar> residualised(const StateSpace<Scalar>& space, const MatrixX<S
 }
 
 /// Throws std::invalid_argument unless the matrices fit together and all entries are finite.
-template <class Scalar>
-void require_state_space(const char* who, const StateSpace<Scalar>& space) {
+inline void require_state_space(const char* who, const StateSpace& space) {
     const Eigen::Index n = space.A.rows();
     require(n >= 1, who, "number of rows of A", n, "be at least 1");
     require(space.A.cols() == n, who, "number of columns of A", space.A.cols(), "equal its number of rows");
@@ -170,26 +161,24 @@ void require_state_space(const char* who, const StateSpace<Scalar>& space) {
 /// O(n^3).
 ///
 /// Throws std::invalid_argument unless 1 <= states <= n, the matrices fit together, and their entries are finite.
-template <class Scalar>
-BalancedReduction<Scalar> balanced_reduction(const StateSpace<Scalar>& space, Eigen::Index states) {
+inline BalancedReduction balanced_reduction(const StateSpace& space, Eigen::Index states) {
     detail::require_state_space("balanced_reduction", space);
     const Eigen::Index n = space.A.rows();
     const std::string rule = "lie in [1, " + detail::to_text(n) + "], the number of states there are";
     detail::require(states >= 1 && states <= n, "balanced_reduction", "states", states, rule.c_str());
 
-    BalancedReduction<Scalar> result;
-    const Eigen::ComplexSchur<MatrixX<Scalar>> schur(space.A);
-    result.status =
-        schur.info() == Eigen::Success ? detail::decay_status<Scalar>(schur.matrixT()) : Status::ill_conditioned;
+    BalancedReduction result;
+    const Eigen::ComplexSchur<MatrixX<double>> schur(space.A);
+    result.status = schur.info() == Eigen::Success ? detail::decay_status(schur.matrixT()) : Status::ill_conditioned;
     if (result.status != Status::ok) return result;
-    const detail::Balance<Scalar> balance = detail::balance(space, schur.matrixU(), schur.matrixT());
+    const detail::Balance balance = detail::balance(space, schur.matrixU(), schur.matrixT());
     result.status = balance.status;
     if (result.status != Status::ok) return result;
     const Eigen::Index count = balance.sigma.size(), K = (std::min)(states, count);
     result.hankel_singular_values = balance.sigma;
     result.error_bound = 2 * balance.sigma.tail(count - K).sum();
-    const StateSpace<Scalar> reduced = detail::residualised<Scalar>(space, balance.V.leftCols(K), balance.W.topRows(K));
-    result.status = detail::decay_status<Scalar>(Eigen::ComplexSchur<MatrixX<Scalar>>(reduced.A, false).matrixT());
+    const StateSpace reduced = detail::residualised(space, balance.V.leftCols(K), balance.W.topRows(K));
+    result.status = detail::decay_status(Eigen::ComplexSchur<MatrixX<double>>(reduced.A, false).matrixT());
     if (result.status == Status::ok) result.space = reduced;
     return result;
 }

@@ -15,7 +15,7 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
-#include "../system/dissipation.hpp"
+#include "../system/detail/dissipation.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"

@@ -1,5 +1,5 @@
 // Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
-// and which signs of their real parts are certain. stability_count.hpp only counts.
+// which signs of their real parts are certain, and a fast count of growing modes.
 #pragma once
 
 #include <algorithm>
@@ -16,36 +16,66 @@
 #include <Eigen/LU>
 
 #include "../detail/finite.hpp"
-#include "../system/element_blocks.hpp"
+#include "../detail/reciprocal_condition.hpp"
+#include "../status.hpp"
 #include "../system/rolling_system.hpp"
-#include "../system/stability_verdict.hpp"
 
 namespace rollbem {
 
+/// Result of count_unstable.
+struct UnstableCount {
+    Eigen::Index n = 0;
+    Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
+    double flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
+    double rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+    Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
+};
+
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
+/// Re(mu) have the same sign.
+inline UnstableCount count_unstable(const RollingSystem<double>& system) {
+    UnstableCount result;
+    result.n = system.size();
+    const Eigen::PartialPivLU<MatrixX<double>> lu(system.G_prime());
+    result.rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G_prime()));
+    result.status = Status::ill_conditioned;
+    if (!detail::is_finite(result.rcond) || !(result.rcond > double(detail::least_rcond_of_G_prime))) return result;
+    const MatrixX<double> M = lu.solve(system.G());
+    if (!detail::all_finite(M)) return result;
+    const Eigen::EigenSolver<MatrixX<double>> solver(M, false);
+    if (solver.info() != Eigen::Success || !detail::all_finite(solver.eigenvalues())) return result;
+    for (const std::complex<double>& mu : solver.eigenvalues()) {
+        if (mu.real() > 0) ++result.unstable_count;
+        const double size = std::abs(mu);
+        result.flattest_cosine = (std::max)(result.flattest_cosine, size > 0 ? mu.real() / size : 0.0);
+    }
+    result.status = Status::ok;
+    return result;
+}
+
 /// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. The base
 /// class holds the verdict of judge_stability; solve_stability settles no sign, and all are uncertain.
-template <class Scalar>
 struct StabilityResult : StabilityVerdict {
     /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
     /// are adjacent.
-    VectorX<std::complex<Scalar>> alpha;
-    VectorX<Scalar> beta;
+    VectorX<std::complex<double>> alpha;
+    VectorX<double> beta;
     /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: the effect that rounding of G
     /// and G' can have on each eigenvalue, to first order. Empty from solve_stability; infinite for infinite
     /// eigenvalues.
-    VectorX<Scalar> uncertainty;
-    Scalar spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
-    Scalar stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest
+    VectorX<double> uncertainty;
+    double spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
+    double stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest
 
-    Scalar unstable_fraction() const {
-        return static_cast<Scalar>(unstable_count) / static_cast<Scalar>(std::max<Eigen::Index>(alpha.size(), 1));
+    double unstable_fraction() const {
+        return static_cast<double>(unstable_count) / static_cast<double>(std::max<Eigen::Index>(alpha.size(), 1));
     }
 
     /// The eigenvalues as numbers; infinite ones are (inf, 0).
-    VectorX<std::complex<Scalar>> eigenvalues() const {
-        VectorX<std::complex<Scalar>> nu(alpha.size());
+    VectorX<std::complex<double>> eigenvalues() const {
+        VectorX<std::complex<double>> nu(alpha.size());
         for (Eigen::Index k = 0; k < nu.size(); ++k) {
-            nu[k] = beta[k] > 0 ? alpha[k] / beta[k] : std::complex<Scalar>(std::numeric_limits<Scalar>::infinity());
+            nu[k] = beta[k] > 0 ? alpha[k] / beta[k] : std::complex<double>(std::numeric_limits<double>::infinity());
         }
         return nu;
     }
@@ -54,45 +84,41 @@ struct StabilityResult : StabilityVerdict {
 namespace detail {
 
 /// Largest singular value.
-template <class Scalar>
-Scalar two_norm(const MatrixX<Scalar>& A) {
-    MatrixX<Scalar> square(A.cols(), A.cols());
+inline double two_norm(const MatrixX<double>& A) {
+    MatrixX<double> square(A.cols(), A.cols());
     square.noalias() = A.transpose() * A;
-    const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
-    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
+    const Eigen::SelfAdjointEigenSolver<MatrixX<double>> solver(square, Eigen::EigenvaluesOnly);
+    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], 0.0));
 }
 
 /// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is triangular except for 2 x 2 blocks.
-template <class Scalar>
 struct QuasiTriangularPair {
-    MatrixX<Scalar> S, T;
+    MatrixX<double> S, T;
 
     bool is_pair(Eigen::Index i) const { return i + 1 < S.rows() && S(i + 1, i) != 0; }
 };
 
 /// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair, the one with positive imaginary
 /// part. Where S has a 2 x 2 block, QZ makes T diagonal.
-template <class Scalar>
-std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<Scalar>& pair, Eigen::Index i) {
+inline std::pair<std::complex<double>, double> eigenvalue_at(const QuasiTriangularPair& pair, Eigen::Index i) {
     const auto& [S, T] = pair;
     if (!pair.is_pair(i)) {
-        const Scalar beta = T(i, i);
+        const double beta = T(i, i);
         return {beta < 0 ? -S(i, i) : S(i, i), std::abs(beta)};
     }
     // (S - nu T) is singular: nu is an eigenvalue of S diag(b, a) / (a b) with T = diag(a, b)
-    const Scalar a = T(i, i), b = T(i + 1, i + 1);
-    const Scalar half_difference = (S(i, i) * b - S(i + 1, i + 1) * a) / 2;
-    const Scalar mean = (S(i, i) * b + S(i + 1, i + 1) * a) / 2;
-    const Scalar square = half_difference * half_difference + S(i, i + 1) * a * S(i + 1, i) * b;
-    const Scalar beta = a * b;
+    const double a = T(i, i), b = T(i + 1, i + 1);
+    const double half_difference = (S(i, i) * b - S(i + 1, i + 1) * a) / 2;
+    const double mean = (S(i, i) * b + S(i + 1, i + 1) * a) / 2;
+    const double square = half_difference * half_difference + S(i, i + 1) * a * S(i + 1, i) * b;
+    const double beta = a * b;
     return {{beta < 0 ? -mean : mean, std::sqrt(std::abs(square))}, std::abs(beta)};
 }
 
 /// Makes the 2 x 2 blocks triangular by complex rotations, the eigenvalue with positive imaginary part first.
-template <class Scalar>
-void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex<Scalar>>& S,
-                   MatrixX<std::complex<Scalar>>& T) {
-    using Complex = std::complex<Scalar>;
+inline void triangularise(const QuasiTriangularPair& pair, MatrixX<std::complex<double>>& S,
+                          MatrixX<std::complex<double>>& T) {
+    using Complex = std::complex<double>;
     S = pair.S.template cast<Complex>();
     T = pair.T.template cast<Complex>();
     for (Eigen::Index i = 0; i + 1 < S.rows(); ++i) {
@@ -102,7 +128,7 @@ void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex
         Eigen::JacobiRotation<Complex> rotation;
         const Complex first = beta * S(i + 1, i + 1) - alpha * T(i + 1, i + 1);
         const Complex second = -beta * S(i + 1, i);
-        const Scalar length = std::hypot(std::abs(first), std::abs(second));
+        const double length = std::hypot(std::abs(first), std::abs(second));
         Eigen::Matrix<Complex, 2, 2> Z;
         Z << first / length, -std::conj(second) / length, second / length, std::conj(first) / length;
         S.template middleCols<2>(i) = (S.template middleCols<2>(i) * Z).eval();
@@ -117,16 +143,14 @@ void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex
 /// Finds StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution,
 /// separately for each eigenvalue: two spectra need not be matched, and no ill-conditioned matrix of vectors is
 /// inverted. Since v ends and w starts at entry i of the eigenvalue, where both are 1, y^H G x = T_ii / (|v| |w|).
-template <class Scalar>
-VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
-                                           Scalar norm_G) {
-    using Complex = std::complex<Scalar>;
+inline VectorX<double> uncertainty_of_eigenvalues(const QuasiTriangularPair& pair, double norm_G_prime, double norm_G) {
+    using Complex = std::complex<double>;
     const Eigen::Index n = pair.S.rows();
-    const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const double epsilon = std::numeric_limits<double>::epsilon();
+    const double infinity = std::numeric_limits<double>::infinity();
     MatrixX<Complex> S, T;
     triangularise(pair, S, T);
-    VectorX<Scalar> uncertainty(n);
+    VectorX<double> uncertainty(n);
     MatrixX<Complex> shifted(n, n);
     VectorX<Complex> v(n), w(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -135,7 +159,7 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
             shifted.col(j).head(j + 1) = beta * S.col(j).head(j + 1) - alpha * T.col(j).head(j + 1);
         }
         // close eigenvalues: a smallest pivot in place of zero, as rounding could have produced it
-        const Scalar rounding = epsilon * (beta * norm_G_prime + std::abs(alpha) * norm_G);
+        const double rounding = epsilon * (beta * norm_G_prime + std::abs(alpha) * norm_G);
         for (Eigen::Index j = 0; j < n; ++j) {
             if (std::abs(shifted(j, j)) < rounding) shifted(j, j) = rounding;
         }
@@ -147,9 +171,9 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
             .template triangularView<Eigen::Upper>()
             .adjoint()
             .solveInPlace(w.tail(after));
-        const Scalar lengths = std::hypot(Scalar(1), v.head(i).norm()) * std::hypot(Scalar(1), w.tail(after).norm());
-        const Scalar bound =
-            beta > 0 ? static_cast<Scalar>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
+        const double lengths = std::hypot(1.0, v.head(i).norm()) * std::hypot(1.0, w.tail(after).norm());
+        const double bound =
+            beta > 0 ? static_cast<double>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
         uncertainty[i] = is_nan(bound) ? infinity : bound;  // overflow in v or w
         if (pair.is_pair(i)) {
             uncertainty[i + 1] = uncertainty[i];
@@ -166,20 +190,19 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 /// inside the unit circle if and only if all Re(nu) < 0. The proof is an energy p^T Y p that each step diminishes: Y
 /// and R = Y - A^T Y A are both positive definite, R by more than rounding. Y, the sum of |A^j p|^2 until powers are
 /// small, is found by doubling their number; its accuracy does not matter.
-template <class Scalar>
-bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G_prime, Scalar norm_G) {
-    using Matrix = MatrixX<Scalar>;
+inline bool all_decay(const RollingSystem<double>& system, double middle, double norm_G_prime, double norm_G) {
+    using Matrix = MatrixX<double>;
     const Eigen::Index n = system.size();
-    const Scalar tau = 1 / middle;
+    const double tau = 1 / middle;
     const Matrix identity = Matrix::Identity(n, n);
     const Matrix inverse = Eigen::PartialPivLU<Matrix>(system.G() - tau * system.G_prime()).inverse();
     const Matrix A = 2 * (inverse * system.G()) - identity;
     Matrix Y = identity, power = A, product;
     int doublings = 0;
-    for (Scalar size = power.norm(); !(size < Scalar(0.5)); size = power.norm()) {
+    for (double size = power.norm(); !(size < 0.5); size = power.norm()) {
         // the slowest mode that rounding leaves inside the unit circle has decayed by then
-        if (++doublings > std::numeric_limits<Scalar>::digits + 10) return false;
-        if (!(size < 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()))) return false;
+        if (++doublings > std::numeric_limits<double>::digits + 10) return false;
+        if (!(size < 1 / std::sqrt(std::numeric_limits<double>::epsilon()))) return false;
         product.noalias() = Y * power;
         Y.noalias() += power.transpose() * product;
         product.noalias() = power * power;
@@ -188,25 +211,24 @@ bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G
     product.noalias() = Y * A;
     Matrix R = Y;
     R.noalias() -= A.transpose() * product;
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon(), size = A.norm();
-    const Scalar of_A = rounding * inverse.norm() * (norm_G + tau * norm_G_prime) * (1 + size);
+    const double rounding = static_cast<double>(n) * std::numeric_limits<double>::epsilon(), size = A.norm();
+    const double of_A = rounding * inverse.norm() * (norm_G + tau * norm_G_prime) * (1 + size);
     R.diagonal().array() -= 2 * Y.norm() * size * (rounding * size + of_A);
     return Eigen::LLT<Matrix>(Y).info() == Eigen::Success && Eigen::LLT<Matrix>(R).info() == Eigen::Success;
 }
 
-template <class Scalar>
-StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bool settle_signs) {
+inline StabilityResult find_eigenvalues(const RollingSystem<double>& system, bool settle_signs) {
     const Eigen::Index n = system.size();
-    StabilityResult<Scalar> result;
+    StabilityResult result;
     result.n = result.uncertain_count = n;
-    QuasiTriangularPair<Scalar> pair;
-    const Scalar largest_slope = system.G_prime().cwiseAbs().maxCoeff();
-    if (!(largest_slope >= negligible<Scalar>)) {  // QZ, whose tolerances vanish, would not end
+    QuasiTriangularPair pair;
+    const double largest_slope = system.G_prime().cwiseAbs().maxCoeff();
+    if (!(largest_slope >= negligible<double>)) {  // QZ, whose tolerances vanish, would not end
         result.status = Status::ill_conditioned;
         return result;
     }
     {
-        const Eigen::RealQZ<MatrixX<Scalar>> qz(system.G_prime(), system.G(), false);
+        const Eigen::RealQZ<MatrixX<double>> qz(system.G_prime(), system.G(), false);
         result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;
         if (result.status != Status::ok) return result;
         pair = {qz.matrixS(), qz.matrixT()};
@@ -228,10 +250,10 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
         return result;
     }
 
-    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const double infinity = std::numeric_limits<double>::infinity();
     result.spectral_abscissa = -std::numeric_limits<double>::infinity();
-    Scalar largest = 0, smallest = infinity, slowest = infinity;
-    for (const std::complex<Scalar>& nu : result.eigenvalues()) {
+    double largest = 0, smallest = infinity, slowest = infinity;
+    for (const std::complex<double>& nu : result.eigenvalues()) {
         result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
         slowest = (std::min)(slowest, std::abs(nu));
         largest = (std::max)(largest, std::abs(nu.real()));
@@ -243,15 +265,15 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
     result.stiffness_ratio = largest / smallest;
     if (!settle_signs) return result;
 
-    const Scalar norm_G_prime = two_norm(system.G_prime()), norm_G = two_norm(system.G());
+    const double norm_G_prime = two_norm(system.G_prime()), norm_G = two_norm(system.G());
     result.uncertainty = uncertainty_of_eigenvalues(pair, norm_G_prime, norm_G);
     for (Eigen::Index k = 0; k < n; ++k) {
         if (!(result.beta[k] > 0)) continue;
-        const Scalar growth = result.alpha[k].real() / result.beta[k];
+        const double growth = result.alpha[k].real() / result.beta[k];
         if (std::abs(growth) > result.uncertainty[k]) --result.uncertain_count;
         if (growth > result.uncertainty[k]) ++result.settled_unstable_count;
     }
-    const Scalar middle = std::sqrt(slowest * result.spectral_radius);
+    const double middle = std::sqrt(slowest * result.spectral_radius);
     if (result.uncertain_count > 0 && result.unstable_count == 0 && is_finite(middle) && middle > 0) {
         result.decay_proved = all_decay(system, middle, norm_G_prime, norm_G);
     }
@@ -262,43 +284,38 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
 
 /// Finds all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (Eigen::RealQZ), without vectors. If it does
 /// not converge, the status is ill_conditioned.
-template <class Scalar>
-StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system) {
+inline StabilityResult solve_stability(const RollingSystem<double>& system) {
     return detail::find_eigenvalues(system, false);
 }
 
 /// The condition number |A| |A^-1| in the 2-norm, infinite for a singular A. It is found from the inverse, because the
 /// small eigenvalues of A^T A would lose condition numbers beyond 1/sqrt(eps).
-template <class Scalar>
-Scalar condition_number(const MatrixX<Scalar>& A) {
-    const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(A).inverse();
-    if (!detail::all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
+inline double condition_number(const MatrixX<double>& A) {
+    const MatrixX<double> inverse = Eigen::PartialPivLU<MatrixX<double>>(A).inverse();
+    if (!detail::all_finite(inverse)) return std::numeric_limits<double>::infinity();
     return detail::two_norm(A) * detail::two_norm(inverse);
 }
 
 /// The verdict on a system: its eigenvalues, how far rounding can move each of them, and which signs are settled. Costs
 /// more than solve_stability.
-template <class Scalar>
-StabilityResult<Scalar> judge_stability(const RollingSystem<Scalar>& system) {
+inline StabilityResult judge_stability(const RollingSystem<double>& system) {
     return detail::find_eigenvalues(system, true);
 }
 
 /// The verdict on all 2n eigenvalues; directions that do not couple are judged one by one.
-template <class Scalar>
-StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
+inline StabilityVerdict judge_stability(const ElementSystem<double, 2>& system) {
     if (system.coupled()) return judge_stability(system.joined());
     const auto direction = [&](std::size_t d) -> StabilityVerdict {
-        return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
+        return judge_stability(RollingSystem<double>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
     };
     return direction(0) + direction(1);
 }
 
 /// The verdict on all eigenvalues of uncoupled subsystems; the two of a symmetric patch cost a quarter of the coupled
 /// system.
-template <class Scalar>
-StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& subsystems) {
+inline StabilityVerdict judge_stability(const std::vector<RollingSystem<double>>& subsystems) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const RollingSystem<Scalar>& subsystem : subsystems) all = all + judge_stability(subsystem);
+    for (const RollingSystem<double>& subsystem : subsystems) all = all + judge_stability(subsystem);
     return all;
 }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "../detail/require.hpp"
-#include "../scene/outline.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "mesh.hpp"
@@ -151,18 +150,19 @@ PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scala
 /// Any outline, in units of `unit`, e.g. c. `across` divides its height, from -1 at the smallest y to 1 at the largest.
 /// A strip lies between the edges of the outline at the middle of its width.
 template <class Scalar>
-PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
+PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
                                const Mesh<Scalar>& across) {
-    const Scalar middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
+    const double middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
     const Eigen::Index m = across.size();
-    const auto place = [&](Scalar t) { return middle + half_height * t; };
+    const auto place = [&](Scalar t) { return static_cast<Scalar>(middle + half_height * t); };
     ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
     for (Scalar& y : edges) y = place(y) / unit;
     for (Eigen::Index j = 0; j < m; ++j) {
-        const Scalar y = place(middles[j]), trailing = outline.trailing(y), leading = outline.leading(y);
+        const Scalar y = place(middles[j]);
+        const double trailing = outline.trailing(y), leading = outline.leading(y);
         middles[j] = y / unit;
-        middles_x[j] = (trailing + leading) / 2 / unit;
-        half_lengths[j] = (leading - trailing) / 2 / unit;
+        middles_x[j] = static_cast<Scalar>((trailing + leading) / 2 / unit);
+        half_lengths[j] = static_cast<Scalar>((leading - trailing) / 2 / unit);
     }
     return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
 }
@@ -171,42 +171,41 @@ namespace detail {
 
 /// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
 /// Up to m/2 lines of the outline are edges of strips.
-template <class Scalar>
-Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
-    const ArrayX<Scalar>& y = outline.y();
+inline Mesh<double> outline_strips(const Outline& outline, Eigen::Index m) {
+    const ArrayX<double>& y = outline.y();
     const Eigen::Index lines = y.size();
-    const auto place = [&](Scalar at) {
+    const auto place = [&](double at) {
         return (2 * at - outline.low() - outline.high()) / (outline.high() - outline.low());
     };
-    ArrayX<Scalar> run = ArrayX<Scalar>::Zero(lines);  // of both edges along x, up to each line
+    ArrayX<double> run = ArrayX<double>::Zero(lines);  // of both edges along x, up to each line
     for (Eigen::Index i = 1; i < lines; ++i) {
         run[i] = run[i - 1] + std::abs(outline.leading(y[i]) - outline.leading(y[i - 1])) +
                  std::abs(outline.trailing(y[i]) - outline.trailing(y[i - 1]));
     }
-    const Scalar whole = run[lines - 1];
-    const auto share = [&](Scalar at) {  // of the strips that lie below
-        const Scalar by_height = std::acos(std::clamp(-place(at), Scalar(-1), Scalar(1))) / std::numbers::pi_v<Scalar>;
+    const double whole = run[lines - 1];
+    const auto share = [&](double at) {  // of the strips that lie below
+        const double by_height = std::acos(std::clamp(-place(at), -1.0, 1.0)) / std::numbers::pi;
         if (!(whole > 0)) return by_height;
         const Eigen::Index j = std::upper_bound(y.data() + 1, y.data() + lines - 1, at) - y.data();
-        const Scalar part = (at - y[j - 1]) / (y[j] - y[j - 1]);
+        const double part = (at - y[j - 1]) / (y[j] - y[j - 1]);
         return (by_height + (run[j - 1] + part * (run[j] - run[j - 1])) / whole) / 2;
     };
-    std::vector<Scalar> edges{-1};
-    const auto add_up_to = [&](Scalar from, Scalar to) {
-        const Scalar low = share(from), high = share(to);
-        const auto count = (std::max)(Eigen::Index(1), static_cast<Eigen::Index>(std::round(Scalar(m) * (high - low))));
+    std::vector<double> edges{-1};
+    const auto add_up_to = [&](double from, double to) {
+        const double low = share(from), high = share(to);
+        const auto count = (std::max)(Eigen::Index(1), static_cast<Eigen::Index>(std::round(double(m) * (high - low))));
         for (Eigen::Index j = 1; j < count; ++j) {
-            Scalar below = from, above = to;
+            double below = from, above = to;
             for (int k = 0; k < 60; ++k) {
-                const Scalar middle = (below + above) / 2;
-                (share(middle) < low + (high - low) * Scalar(j) / Scalar(count) ? below : above) = middle;
+                const double middle = (below + above) / 2;
+                (share(middle) < low + (high - low) * double(j) / double(count) ? below : above) = middle;
             }
             edges.push_back(place(below));
         }
         edges.push_back(place(to));
     };
-    Scalar from = outline.low();
-    const Scalar least = (outline.high() - from) / 1000;
+    double from = outline.low();
+    const double least = (outline.high() - from) / 1000;
     if (lines - 2 <= m / 2) {
         for (Eigen::Index i = 1; i + 1 < lines; ++i) {
             if (y[i] - from < least || outline.high() - y[i] < least) continue;
@@ -218,12 +217,12 @@ Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
     edges.back() = 1;
     // strips that are mirror images to the last bit make two problems of half the size
     for (std::size_t j = 0, k = edges.size() - 1; j <= k && k > 0; ++j, --k) {
-        const Scalar half = (edges[k] - edges[j]) / 2;
-        if (!(std::abs(edges[j] + edges[k]) <= Scalar(1e-6))) continue;
+        const double half = (edges[k] - edges[j]) / 2;
+        if (!(std::abs(edges[j] + edges[k]) <= 1e-6)) continue;
         edges[k] = half;
         edges[j] = -half;
     }
-    return mesh_from_edges<Scalar>(Eigen::Map<const ArrayX<Scalar>>(edges.data(), Eigen::Index(edges.size())));
+    return mesh_from_edges<double>(Eigen::Map<const ArrayX<double>>(edges.data(), Eigen::Index(edges.size())));
 }
 
 }  // namespace detail
@@ -231,17 +230,17 @@ Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.
 template <class Scalar>
-PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
+PatchMesh<Scalar> patch_mesh(const PatchContact& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
     if (contact.outline()) {
-        return outline_mesh<Scalar>(*contact.outline(), contact.half_length(), std::move(along), across);
+        return outline_mesh<Scalar>(*contact.outline(), static_cast<Scalar>(contact.half_length()), std::move(along),
+                                    across);
     }
-    return ellipse_mesh<Scalar>(contact.a_over_b(), std::move(along), across);
+    return ellipse_mesh<Scalar>(static_cast<Scalar>(contact.a_over_b()), std::move(along), across);
 }
 
 /// The mesh of a contact patch from cosine meshes of n elements a strip and m strips.
-template <class Scalar>
-PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Eigen::Index n, Eigen::Index m) {
-    return patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m));
+inline PatchMesh<double> patch_mesh(const PatchContact& contact, Eigen::Index n, Eigen::Index m) {
+    return patch_mesh(contact, cosine_mesh<double>(n), cosine_mesh<double>(m));
 }
 
 }  // namespace rollbem

@@ -2,6 +2,8 @@
 // they are largest below a point.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,9 +16,16 @@
 #include <Eigen/Eigenvalues>
 
 #include "../detail/require.hpp"
-#include "loaded_rectangle.hpp"
 
 namespace rollbem {
+
+/// Tractions on a rectangle of the surface z = 0 of the half-space z > 0, the rail: opposite to the tractions on the
+/// wheel.
+struct LoadedRectangle {
+    double x_1, x_2, y_1, y_2;      ///< its edges, ascending [m]
+    double traction_x, traction_y;  ///< tractions on the half-space [Pa]
+    double pressure;                ///< pressure towards z [Pa]
+};
 
 /// Measures of a state of stress against yield.
 struct Yield {

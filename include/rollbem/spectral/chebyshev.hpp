@@ -12,14 +12,15 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "../adhesion/state_space.hpp"
 #include "../closed_form/carter.hpp"
 #include "../detail/circle_table.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../elasticity/plane_model.hpp"
+#include "../elasticity/detail/plane_model.hpp"
 #include "../status.hpp"
-#include "../system/contact_fit.hpp"
+#include "../system/detail/contact_fit.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
@@ -207,6 +208,25 @@ Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method
 template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
+}
+
+/// The state space of Chebyshev states: without an inverse, B = -e_0.
+inline StateSpace state_space(const ChebyshevSystem<double>& system) {
+    const Eigen::Index m = system.size();
+    StateSpace result{.A = system.rates(),
+                      .B = MatrixX<double>::Zero(m, 1),
+                      .C = -system.outputs().transpose(),
+                      .D = MatrixX<double>::Zero(1, 1)};
+    result.B(0, 0) = -1;
+    return result;
+}
+
+/// The state space of a kernel with a number of states: 8 states are exact to rounding if nothing changes within a
+/// contact length. Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >=
+/// 0.001 and, for a plane kernel, Lambda > 0.
+template <LineKernel Kernel>
+StateSpace state_space(const Chebyshev& method, const Kernel& kernel) {
+    return state_space(rolling_system(method, kernel));
 }
 
 }  // namespace rollbem

@@ -1,5 +1,5 @@
 // Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel, in Chebyshev polynomials, where it costs
-// O(order) and is accurate to rounding; studies/monomial.hpp has the monomials of the paper. Dimensionless:
+// O(order) and is accurate to rounding; apps/studies/monomial.hpp has the monomials of the paper. Dimensionless:
 // a = G = V = 1.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 
 #include "../closed_form/carter.hpp"
-#include "../closed_form/estimated_c11.hpp"
+#include "../closed_form/detail/estimated_c11.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"

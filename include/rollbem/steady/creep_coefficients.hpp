@@ -14,10 +14,8 @@
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/patch_mesh.hpp"
-#include "../elasticity/rectangle_kernel.hpp"
-#include "../scene/creep_coefficients.hpp"
+#include "../elasticity/patch_kernel.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
@@ -26,19 +24,18 @@ namespace rollbem {
 
 /// Kalker's coefficients from the 3 x 3 coefficients of a response in units of a (outlines: c), steady or harmonic:
 /// entry (i, j) is minus the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
-template <class Value, class Scalar>
-CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact, const Response<Value>& response) {
+template <class Value>
+CreepCoefficients<Value> creep_coefficients(const PatchContact& contact, const Response<Value>& response) {
     const MatrixX<Value>& coefficients = response.coefficients;
     detail::require(coefficients.cols() == 3, "creep_coefficients", "number of creepages", coefficients.cols(), "be 3");
-    const Scalar force = contact.a_over_b(), spin = std::sqrt(force);  // a^2/(a b), a/c
+    using Scalar = typename Response<Value>::Scalar;
+    const auto force = static_cast<Scalar>(contact.a_over_b()), spin = std::sqrt(force);  // a^2/(a b), a/c
     return {force * coefficients(0, 0), force * coefficients(1, 1), force * (spin * coefficients(1, 2)),
             force * (spin * coefficients(2, 1)), force * (force * coefficients(2, 2))};  // force^2 may overflow
 }
 
 /// Largest estimate of a coefficient's relative error that confirms it: errors up to 5 % (docs/measured.md).
 inline constexpr double largest_error_estimate = 0.045;
-[[deprecated("largest_error_estimate")]] inline constexpr double largest_mesh_change = largest_error_estimate;
-
 /// Whether entry (i, j) of steady coefficients can be used: the status is ok, or it is not_converged and other meshes
 /// confirm this entry.
 template <class Scalar>
@@ -49,11 +46,10 @@ bool is_confirmed(const Response<Scalar>& steady, Eigen::Index i, Eigen::Index j
 
 /// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling, also of an outline without
 /// symmetry. Throws std::invalid_argument if the coefficients are not 3 x 3.
-template <class Scalar>
-TangentialForce<Scalar> creep_force(const PatchContact<Scalar>& contact, const Response<Scalar>& steady,
-                                    const Creepage<Scalar>& creepage) {
-    const Scalar a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
-    const MatrixX<Scalar>& c = steady.coefficients;
+inline TangentialForce creep_force(const PatchContact& contact, const Response<double>& steady,
+                                   const Creepage& creepage) {
+    const double a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
+    const MatrixX<double>& c = steady.coefficients;
     detail::require(c.cols() == 3, "creep_force", "number of creepages", c.cols(), "be 3");
     const auto force = [&](Eigen::Index i) {
         return scale * (c(i, 0) * creepage.longitudinal + c(i, 1) * creepage.lateral + c(i, 2) * (creepage.spin * a));
@@ -115,8 +111,8 @@ MatrixX<Scalar> antisymmetric_coupling(MatrixX<Scalar> coefficients) {
 /// wrong first, a small difference of large numbers there; few strips at the ends get the lengths of strips wrong, by
 /// the squares of which forces of wide patches go, times y^2 in c33.
 template <class Scalar>
-bool is_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh) {
-    const Scalar ratio = contact.a_over_b();
+bool is_resolved(const PatchContact& contact, const PatchMesh<Scalar>& mesh) {
+    const auto ratio = static_cast<Scalar>(contact.a_over_b());
     if (contact.outline() || ratio > Scalar(10.001)) return false;
     const Scalar enough = ratio > Scalar(3.5) ? 12 : 8, pi = std::numbers::pi_v<Scalar>;
     const ArrayX<Scalar>& along = mesh.along().widths();
@@ -130,12 +126,14 @@ bool is_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& m
 /// Relative distances of coefficients from the limits of small elements that meshes of the library's own show, and the
 /// doubt about these limits.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const Scheme& scheme, const Kernel& kernel,
+MatrixX<Scalar> distances_from_limits(const PatchContact& contact, const Scheme& scheme, const Kernel& kernel,
                                       const MatrixX<Scalar>& own) {
-    const Outline<Scalar>* const outline = contact.outline();
+    const Outline* const outline = contact.outline();
     const Scalar order = outline ? Scalar(1.5) : Scalar(2);  // corners leave less than the second
     const auto on = [&](Eigen::Index n) -> MatrixX<Scalar> {
-        const Mesh<Scalar> across = outline ? outline_strips(*outline, n + n / 2) : cosine_mesh<Scalar>(n);
+        const Mesh<Scalar> across =
+            outline ? mesh_from_edges<Scalar>(outline_strips(*outline, n + n / 2).edges().template cast<Scalar>())
+                    : cosine_mesh<Scalar>(n);
         const MatrixX<Scalar> found =
             solve_steady(patch_mesh(contact, cosine_mesh<Scalar>(n), across), scheme, kernel).coefficients;
         return outline ? found : antisymmetric_coupling(found);
@@ -157,8 +155,8 @@ MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const
 
 /// Estimates of the errors of coefficients, relative to them.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-MatrixX<Scalar> estimated_errors(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
-                                 const Scheme& scheme, const Kernel& kernel, const MatrixX<Scalar>& own) {
+MatrixX<Scalar> estimated_errors(const PatchContact& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+                                 const Kernel& kernel, const MatrixX<Scalar>& own) {
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
     const bool at_middles = has_wide_strips(mesh) && !HasCouplingIntegral<Kernel>;
     const bool is_long = 2 * mesh.half_lengths().maxCoeff() > Scalar(12.001) * mesh.height();
@@ -172,7 +170,10 @@ MatrixX<Scalar> estimated_errors(const PatchContact<Scalar>& contact, const Patc
             errors.setOnes();
             return;
         }
-        const MatrixX<Scalar> other = solve_steady(patch_mesh(contact, other_n, other_m), scheme, kernel).coefficients;
+        const MatrixX<Scalar> other =
+            solve_steady(patch_mesh(contact, cosine_mesh<Scalar>(other_n), cosine_mesh<Scalar>(other_m)), scheme,
+                         kernel)
+                .coefficients;
         errors = errors.cwiseMax(relative_sizes<Scalar>(own - other, own) * Scalar(0.65));
     };
     compare(n, m / 2);
@@ -196,7 +197,7 @@ MatrixX<Scalar> estimated_errors(const PatchContact<Scalar>& contact, const Patc
 /// largest_error_estimate, and this coefficient may be wrong (is_confirmed). Throws std::invalid_argument unless the
 /// scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+Response<Scalar> solve_steady(const PatchContact& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
                               const Kernel& kernel) {
     Response<Scalar> response = solve_steady(mesh, scheme, kernel);
     if (response.status != Status::ok) return response;
@@ -212,9 +213,8 @@ Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMe
 
 /// Steady rolling of a contact between half-spaces.
 template <class Scalar, RollingScheme<Scalar> Scheme>
-Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
-                              const Scheme& scheme) {
-    return solve_steady(contact, mesh, scheme, HalfSpace<Scalar>(contact.poisson_ratio()));
+Response<Scalar> solve_steady(const PatchContact& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme) {
+    return solve_steady(contact, mesh, scheme, HalfSpace<Scalar>(static_cast<Scalar>(contact.poisson_ratio())));
 }
 
 }  // namespace rollbem

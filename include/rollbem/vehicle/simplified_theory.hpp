@@ -6,9 +6,7 @@
 
 #include <array>
 
-#include "../scene/creep_coefficients.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 
@@ -38,7 +36,7 @@ struct SimplifiedElement {
 
 /// Forces of simplified theory on body 1.
 struct SimplifiedForce {
-    TangentialForce<double> force{};     ///< NaN unless ok
+    TangentialForce force{};             ///< NaN unless ok
     Status status = Status::not_finite;  ///< not_finite: creepages, or their forces; otherwise ok
 };
 
@@ -50,17 +48,17 @@ struct SimplifiedForce {
 class SimplifiedTheory {
 public:
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
-    SimplifiedTheory(const PatchContact<double>& contact, const CreepCoefficients<double>& coefficients,
+    SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
                      double friction_coefficient, double load, const SimplifiedMesh& mesh = {});
 
     /// Kalker's FASTSIM: displacement is proportional to traction, by the flexibilities L1 = 8a/(3 c11 G), L2 = 8a/(3
     /// c22 G) and L3 = pi a sqrt(a/b)/(4 c23 G), which give the linear law, and particles enter at the leading edge
     /// without traction. `visit` is called with each SimplifiedElement.
     template <class Visitor>
-    SimplifiedForce fastsim(const Creepage<double>& creepage, Visitor&& visit) const {
+    SimplifiedForce fastsim(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, false, visit);
     }
-    SimplifiedForce fastsim(const Creepage<double>& creepage) const {
+    SimplifiedForce fastsim(const Creepage& creepage) const {
         return solve(creepage, false, [](const SimplifiedElement&) {});
     }
 
@@ -70,10 +68,10 @@ public:
     /// strip's equations at any Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu.
     /// Where |3 c c23 G phi/(2 pi mu p0)| >= 1, strip theory has no stick.
     template <class Visitor>
-    SimplifiedForce fastrip(const Creepage<double>& creepage, Visitor&& visit) const {
+    SimplifiedForce fastrip(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, true, visit);
     }
-    SimplifiedForce fastrip(const Creepage<double>& creepage) const {
+    SimplifiedForce fastrip(const Creepage& creepage) const {
         return solve(creepage, true, [](const SimplifiedElement&) {});
     }
 
@@ -96,10 +94,10 @@ private:
 
     Flexibility flexibility() const;
     /// The mean of the three flexibilities, weighted by the creepages.
-    Flexibility one_flexibility(const Creepage<double>& at) const;
+    Flexibility one_flexibility(const Creepage& at) const;
 
     /// Whether creepages are so small that no traction without a bound overflows on its way through the ellipse.
-    bool is_in_range(const Creepage<double>& at) const;
+    bool is_in_range(const Creepage& at) const;
 
     /// Integral of sqrt(half_length^2 - x^2) from 0.
     static double half_circle(double x, double half_length);
@@ -109,20 +107,19 @@ private:
 
     /// Stick requires displacements with a constant slope along x and a slope that grows with x across it. Tractions of
     /// the slip zone behind continue the tractions of the stick zone and reach mu p.
-    StickZone stick_zone(const Creepage<double>& at, double y) const;
+    StickZone stick_zone(const Creepage& at, double y) const;
 
     /// One element of FASTSIM. On entry its traction is the traction of the element ahead. Particles come from the
     /// middle of the element ahead, into the first element from the leading edge.
-    void slide(const Creepage<double>& at, const Flexibility& L, double step, double mu_p,
-               SimplifiedElement& element) const;
+    void slide(const Creepage& at, const Flexibility& L, double step, double mu_p, SimplifiedElement& element) const;
 
     /// One element of strip theory. `ahead` is the x of its front edge.
     void stick_or_slip(const StickZone& zone, const Strip& strip, double ahead, SimplifiedElement& element) const;
 
     template <class Visitor>
-    SimplifiedForce solve(const Creepage<double>& creepage, bool by_strips, Visitor&& visit) const;
+    SimplifiedForce solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const;
 
-    PatchContact<double> contact_;
+    PatchContact contact_;
     CreepCoefficients<double> c_;
     SimplifiedMesh mesh_;
     double mu_, peak_;

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "../normal/profile.hpp"
-#include "../scene/creep_coefficients.hpp"
-#include "../scene/mirror.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/wheelset.hpp"
 #include "contact_table.hpp"
 #include "simplified_theory.hpp"
 #include "wheelset_forces.hpp"
@@ -18,7 +18,7 @@ namespace rollbem {
 /// T gamma [N], the work of creep forces on creepages per metre rolled [J/m]: -(F_x xi + F_s eta + M_n phi). Wear per
 /// metre is a function of it over the area (British Rail Research; Braghin et al. 2006). It is the heat of friction
 /// (slip_work) up to the errors of the discretisation, where slip follows from the three creepages.
-double t_gamma(const TangentialForce<double>& force, const Creepage<double>& creepage);
+double t_gamma(const TangentialForce& force, const Creepage& creepage);
 inline double t_gamma(const PatchForce& patch) { return t_gamma(patch.force, patch.creepage); }
 inline double t_gamma(const WheelForces::Point& point) { return t_gamma(point.force, point.creepage); }
 
@@ -35,7 +35,7 @@ double y_over_q(const WheelForces& wheel, WheelsetSide side);
 
 /// Kalker's c11, c22 and c23 of an ellipse, by a table's linear law. Throws std::invalid_argument for an outline, or
 /// unless the table fits Poisson's ratio.
-CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact<double>& ellipse);
+CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact& ellipse);
 
 /// Friction on a point of a table, with its work over the strips of its ellipse: the sum is t_gamma, distributed over
 /// the strips as by FASTSIM, or as the load where nothing slips. `mu` is the point's coefficient. The status is

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "../../elasticity/kernel_concepts.hpp"
+#include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

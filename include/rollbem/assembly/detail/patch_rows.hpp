@@ -14,8 +14,8 @@
 #include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
-#include "../../system/shape_set.hpp"
+#include "../../elasticity/patch_kernel.hpp"
+#include "../../system/detail/shape_set.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

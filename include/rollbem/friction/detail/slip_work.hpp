@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "../../system/centre_values.hpp"
-#include "../../system/elements.hpp"
+#include "../../system/detail/centre_values.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "roles.hpp"

@@ -15,9 +15,9 @@
 
 #include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
-#include "../../scene/directions.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../status.hpp"
-#include "../../system/centre_values.hpp"
+#include "../../system/detail/centre_values.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "condensed_slip.hpp"

@@ -15,7 +15,7 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL double t_gamma(const TangentialForce<double>& force, const Creepage<double>& creepage) {
+ROLLBEM_DECL double t_gamma(const TangentialForce& force, const Creepage& creepage) {
     return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
              force.moment * creepage.spin);
 }
@@ -35,13 +35,12 @@ ROLLBEM_DECL double y_over_q(const WheelForces& wheel, WheelsetSide side) {
     return outwards / -wheel.force[2];
 }
 
-ROLLBEM_DECL CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep,
-                                                          const PatchContact<double>& ellipse) {
+ROLLBEM_DECL CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact& ellipse) {
     const char* const who = "creep_coefficients";
     detail::require(ellipse.outline() == nullptr, who, "contact", "outline", "be an ellipse");
     const std::string rule = "be within 0.01 of the table's, " + detail::to_text(creep.grid().poisson_ratio());
     detail::require(creep.fits(ellipse.poisson_ratio()), who, "poisson_ratio", ellipse.poisson_ratio(), rule.c_str());
-    const CreepageTangent<double> at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
+    const CreepageTangent at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
     const double unit = -ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width();
     return {at_rest.by_longitudinal.longitudinal / unit, at_rest.by_lateral.lateral / unit,
             at_rest.by_spin.lateral / unit / ellipse.c()};
