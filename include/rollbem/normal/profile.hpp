@@ -19,7 +19,7 @@ namespace rollbem {
 /// int main() {
 ///     using namespace rollbem;
 ///     const Profile wheel = s1002(), rail = rail_60e1().moved(0.025, 0, 0);  // canted by 1 in 40
-///     return wheel.length() > 0.1 && rail.length() > 0.1 ? 0 : 1;            // along the profiles [m]
+///     return wheel.length() > 0.05 && rail.length() > 0.05 ? 0 : 1;          // along the profiles [m]
 /// }
 /// \endcode
 ///
