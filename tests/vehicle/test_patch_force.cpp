@@ -275,6 +275,11 @@ TEST_CASE("A longitudinal force of one wheel is had while the other one is lifte
     REQUIRE(driven.contacts.wheels[0].status == Status::no_contact);
     CHECK(driven.patches[1].at(0).status == Status::ok);
     CHECK(std::abs(driven.on_wheelset.force[0] - 1e3) < 0.5);
+    double work = 0, peak = 0;
+    for (const PatchForce& patch : driven.patches[1]) work += patch.slip_work;
+    for (const RailPatch& patch : driven.contacts.wheels[1].patches) peak = std::max(peak, patch.peak_pressure);
+    CHECK(driven.slip_work() == work);
+    CHECK(driven.peak_pressure() == peak);
 }
 
 TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanced", "[profiles]") {
@@ -284,6 +289,7 @@ TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanc
     WheelsetRolling rolling{.position = {.lateral = 2e-3, .yaw = 2e-3}, .speeds = {.forward = 20}, .force = 0};
     const WheelsetForces found = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(found.contacts.status == Status::unbalanced);
+    CHECK(found.status() == Status::unbalanced);
     CHECK(std::abs(found.on_wheelset.force[0]) < 1e-2 * 2e5);
     // the forces are those at this rate, on one side of the jump
     rolling.force.reset();

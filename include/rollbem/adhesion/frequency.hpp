@@ -20,6 +20,21 @@ namespace rollbem {
 /// then O(n^2) per frequency. If rcond(G') is too small to rely on M, each frequency has its own LU decomposition; see
 /// reduced(). Const objects may be shared by threads.
 ///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const FrequencySweep sweep(rolling_system(Chebyshev{12}, StripKernel<double>(10, 0.72, 0.28)));
+///     double last = 10;
+///     for (const double z : {0.0, 0.5, 1.0, 2.0}) {  // omega a/V
+///         const double size = std::abs(sweep(z).c11());
+///         if (!(size < last)) return 1;
+///         last = size;
+///     }
+/// }
+/// \endcode
+///
 /// Responses have no unknowns. Their residual belongs to the reduced equations; their rcond comes from one more
 /// right-hand side, and coefficients are accurate to eps/rcond. With several subsystems both are the worst of all.
 class FrequencySweep {

@@ -96,6 +96,22 @@ private:
 /// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin,
 /// where the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. SI units.
 ///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const AdhesionModel<> model(contact, rolling_system(Chebyshev{8}, StripKernel<double>::longitudinal(contact)),
+///                                 unchecked);  // Chebyshev states are stable for any number
+///     Run run(model);
+///     for (int k = 0; k < 20; ++k) {
+///         if (run.advance({0.5e-3, 1e-4}).status != Status::ok) return 1;  // rolls by 0.5 mm at a creepage of 1e-4
+///     }
+///     return model.force(run.now()) < 0 ? 0 : 1;  // [N]
+/// }
+/// \endcode
+///
 /// A step of the same distance as the step before costs one product of an n x n matrix and a vector; the first step
 /// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
 /// own, O(n^3), which costs less than computing the matrix of repeated steps. Integrator::matrix_exponential always

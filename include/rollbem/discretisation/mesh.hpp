@@ -24,6 +24,17 @@ namespace rollbem {
 
 /// A mesh of n elements, all lengths in units of the half-length a.
 ///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Mesh<double> mesh = cosine_mesh(20);
+///     const auto steady = solve_steady(mesh, NodeDifference{Nodes::chebyshev}, PlaneKernel<double>(100, 0.72, 0.28));
+///     return steady.status == Status::ok ? 0 : 1;  // p/(G xi) of each element in steady.unknowns, trailing to leading
+/// }
+/// \endcode
+///
 /// Invariant: n >= 1, every width > 0, edges strictly increasing from -1 to 1. Distances from the trailing and the
 /// leading edge are stored next to the coordinates because 1 + x and 1 - x lose digits near an edge, where a graded
 /// mesh has its smallest elements.

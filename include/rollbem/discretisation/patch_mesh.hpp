@@ -28,6 +28,16 @@ struct Rectangle {
 /// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
 /// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
 ///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchMesh<double> mesh = ellipse_mesh(1.5, cosine_mesh(8), uniform_mesh(7));  // a/b = 1.5, b = 1/1.5
+///     return mesh.size() == 56 && mesh.is_mirrored() ? 0 : 1;
+/// }
+/// \endcode
+///
 /// Invariant: m >= 1, all widths and half-lengths are positive and finite, and so are all places.
 template <class Scalar_ = double>
 class PatchMesh {
@@ -125,66 +135,6 @@ PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scala
 template <class Scalar>
 PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
                                const Mesh<Scalar>& across);
-
-namespace detail {
-
-/// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
-/// Up to m/2 lines of the outline are edges of strips.
-inline Mesh<double> outline_strips(const Outline& outline, Eigen::Index m) {
-    const ArrayX<double>& y = outline.y();
-    const Eigen::Index lines = y.size();
-    const auto place = [&](double at) {
-        return (2 * at - outline.low() - outline.high()) / (outline.high() - outline.low());
-    };
-    ArrayX<double> run = ArrayX<double>::Zero(lines);  // of both edges along x, up to each line
-    for (Eigen::Index i = 1; i < lines; ++i) {
-        run[i] = run[i - 1] + std::abs(outline.leading(y[i]) - outline.leading(y[i - 1])) +
-                 std::abs(outline.trailing(y[i]) - outline.trailing(y[i - 1]));
-    }
-    const double whole = run[lines - 1];
-    const auto share = [&](double at) {  // of the strips that lie below
-        const double by_height = std::acos(std::clamp(-place(at), -1.0, 1.0)) / std::numbers::pi;
-        if (!(whole > 0)) return by_height;
-        const Eigen::Index j = std::upper_bound(y.data() + 1, y.data() + lines - 1, at) - y.data();
-        const double part = (at - y[j - 1]) / (y[j] - y[j - 1]);
-        return (by_height + (run[j - 1] + part * (run[j] - run[j - 1])) / whole) / 2;
-    };
-    std::vector<double> edges{-1};
-    const auto add_up_to = [&](double from, double to) {
-        const double low = share(from), high = share(to);
-        const auto count = (std::max)(Eigen::Index(1), static_cast<Eigen::Index>(std::round(double(m) * (high - low))));
-        for (Eigen::Index j = 1; j < count; ++j) {
-            double below = from, above = to;
-            for (int k = 0; k < 60; ++k) {
-                const double middle = (below + above) / 2;
-                (share(middle) < low + (high - low) * double(j) / double(count) ? below : above) = middle;
-            }
-            edges.push_back(place(below));
-        }
-        edges.push_back(place(to));
-    };
-    double from = outline.low();
-    const double least = (outline.high() - from) / 1000;
-    if (lines - 2 <= m / 2) {
-        for (Eigen::Index i = 1; i + 1 < lines; ++i) {
-            if (y[i] - from < least || outline.high() - y[i] < least) continue;
-            add_up_to(from, y[i]);
-            from = y[i];
-        }
-    }
-    add_up_to(from, outline.high());
-    edges.back() = 1;
-    // strips that are mirror images to the last bit make two problems of half the size
-    for (std::size_t j = 0, k = edges.size() - 1; j <= k && k > 0; ++j, --k) {
-        const double half = (edges[k] - edges[j]) / 2;
-        if (!(std::abs(edges[j] + edges[k]) <= 1e-6)) continue;
-        edges[k] = half;
-        edges[j] = -half;
-    }
-    return mesh_from_edges<double>(Eigen::Map<const ArrayX<double>>(edges.data(), Eigen::Index(edges.size())));
-}
-
-}  // namespace detail
 
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.

@@ -83,6 +83,16 @@ private:
 
 /// Eqs. (3) and (7): Cerruti's solution, integrated over -b <= y <= b and seen from y = 0:
 /// g = (2/(pi G)) [c1 asinh(b/|x|) + c2 b / sqrt(x^2 + b^2)].
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto lateral = StripKernel<double>::lateral(Contact::dimensionless(10, 0.28));  // b/a, nu
+///     return solve_steady(Chebyshev{8}, lateral).c11() > 1.5 ? 0 : 1;                       // c22
+/// }
+/// \endcode
 template <class Scalar_ = double>
 class StripKernel {
 public:

@@ -53,6 +53,17 @@ concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar
 /// Two equal half-spaces (Boussinesq, Cerruti): with r = sqrt(x^2 + y^2), pi G F is
 /// xx: (1-nu) x asinh(y/|x|) + y asinh(x/|y|), yy: x asinh(y/|x|) + (1-nu) y asinh(x/|y|), xy: -nu r. A thin elastic
 /// layer between them adds L p to the displacement, as LayeredKernel does on a line.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact = PatchContact::dimensionless(1, 0.28);
+///     const HalfSpace<double> layered(0.28, 0.1);  // with a layer of compliance L = 0.1 a/G
+///     return solve_steady(patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev}, layered).c11() > 0 ? 0 : 1;
+/// }
+/// \endcode
 template <class Scalar_>
 class HalfSpace {
 public:

@@ -49,6 +49,17 @@ struct HertzPressure {
 
 /// Two parallel cylinders pressed together: p_n(x) = p0 sqrt(1 - x^2/a^2) with a^2 = 4 P R / (pi E*),
 /// p0 = 2 P / (pi a) and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (Hertz 1882).
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const HertzLine line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+///     return line.peak_pressure() > 2e8 && line.contact(12e-3).width() == 24e-3 ? 0 : 1;
+/// }
+/// \endcode
 class HertzLine {
 public:
     struct Parameters {
@@ -105,6 +116,19 @@ struct ElementPressures {
 
 /// Two smooth bodies pressed together: p_n = p0 sqrt(1 - x^2/a^2 - y^2/b^2), N = 2 pi a b p0/3 (Hertz 1882; Johnson,
 /// Contact Mechanics, 1985, section 4.2). Half-spaces: a and b small against all radii.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const double flat = std::numeric_limits<double>::infinity();
+///     const HertzEllipse ellipse(
+///         {.load = 80e3, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel});
+///     return ellipse.contact().a_over_b() > 1 && ellipse.peak_pressure() > 1e9 ? 0 : 1;
+/// }
+/// \endcode
 class HertzEllipse {
 public:
     /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite

@@ -14,6 +14,16 @@ namespace rollbem {
 
 /// Pressure that is linear between given points, and zero before the first and after the last. Two points at the same x
 /// make a jump. Invariant: -1 <= x/a <= 1, ascending; pressures finite, not negative, with a positive integral.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PressureTable triangle(Eigen::Array3d(-1, 0, 1), Eigen::Array3d(0, 1e9, 0));  // x/a, p_n [Pa]
+///     return triangle(cosine_mesh(20)).maxCoeff() < 1e9 && triangle.integral() == 1e9 ? 0 : 1;
+/// }
+/// \endcode
 class PressureTable {
 public:
     /// Points x/a [-] and the pressures there [Pa, or any unit]. Throws std::invalid_argument if they break the
@@ -38,6 +48,16 @@ private:
 
 /// Pressure that is bilinear between the points of a grid, and zero outside it. Invariant: at least two x and two y,
 /// strictly ascending; pressures finite, not negative, with a positive integral.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PressureGrid even(Eigen::Array2d(-1, 1), Eigen::Array2d(-1, 1), Eigen::Matrix2d::Constant(1e9));
+///     return even.integral() == 4e9 ? 0 : 1;  // over 2 x 2
+/// }
+/// \endcode
 class PressureGrid {
 public:
     /// x and y of the grid, in any unit of length, and the pressures [Pa, or any unit] at x[i], y[j] in row i, column

@@ -13,6 +13,16 @@ namespace rollbem {
 
 /// A curve (y(s), z(s)) [m] over the length s along the polygon of its points; y to the right, z down.
 ///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Profile wheel = s1002(), rail = rail_60e1().moved(0.025, 0, 0);  // canted by 1 in 40
+///     return wheel.length() > 0.05 && rail.length() > 0.05 ? 0 : 1;          // along the profiles [m]
+/// }
+/// \endcode
+///
 /// - Wheel: the right one, z = 0 on the tape circle and the flange at negative y.
 /// - Rail: z = 0 at its highest point, and the inner side of the right rail at negative y.
 ///

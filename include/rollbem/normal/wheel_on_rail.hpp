@@ -138,6 +138,18 @@ class RegionSolver;
 
 /// The right wheel of a wheelset on the right rail; a left one is its mirror image, with y, roll, yaw and lateral
 /// quantities reversed. Immutable.
+///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const WheelOnRail wheel(s1002(), rail_60e1());
+///     WheelOnRail::Workspace workspace;
+///     const auto contact = wheel.solve_for_load({.lateral = 2e-3}, 80e3, workspace);
+///     return contact.status == Status::ok && contact.patches[0].peak_pressure > 1e9 ? 0 : 1;
+/// }
+/// \endcode
 class WheelOnRail {
 public:
     /// Throws std::invalid_argument as ContactGeometry.

@@ -12,6 +12,17 @@ namespace rollbem {
 /// Sizes and material of a contact area 2a x 2b. Invariant: 1e-120 <= a <= 1e60, 0 < b <= inf,
 /// 0 < G < inf, 0 <= nu <= 0.5.
 ///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const auto steady = solve_steady(Chebyshev{8}, StripKernel<double>::longitudinal(contact));
+///     return creep_force(contact, steady, 1e-4) < 0 ? 0 : 1;  // [N]; positive creepage, negative force
+/// }
+/// \endcode
+///
 /// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of
 /// units may be used; SI units are given here. The shape of every solution depends on nu and b/a alone: a and G only
 /// set its scale.

@@ -38,6 +38,17 @@ inline bool are_positive(const SemiAxes& axes) noexcept {
 /// The edges of a contact area over y, linear between the given lines y = const. Creepages, spin and moment refer to
 /// the origin of its coordinates.
 ///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Outline triangle(Eigen::Array2d(0, 0.01), Eigen::Array2d(-0.005, 0), Eigen::Array2d(0.005, 0));  // [m]
+///     const PatchContact contact(triangle, 8.2e10, 0.28);
+///     return contact.half_length() > 0 ? 0 : 1;  // the radius of the circle of equal area [m]
+/// }
+/// \endcode
+///
 /// Invariant: at least two lines, all numbers finite, y strictly increasing, trailing < leading; on the first and the
 /// last line both may be equal (a tip). The area is positive and finite.
 class Outline {
@@ -101,6 +112,17 @@ inline RollingEllipse rolling_ellipse(const SemiAxes& turned, double turn) noexc
 
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact({.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const auto steady = solve_steady(contact, patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev});
+///     return creep_coefficients(contact, steady).c11 > 3 ? 0 : 1;  // Kalker's c11
+/// }
+/// \endcode
 ///
 /// Invariant: 1e-120 <= a <= 1e60, 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
 /// finite.

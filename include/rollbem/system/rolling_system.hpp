@@ -83,6 +83,18 @@ void require_G(const char* who, const System& system);
 /// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite. G may be
 /// empty (0 x 0), as after steady_system(): the system then serves FrictionModel::steady alone, and constructors that
 /// need G throw std::invalid_argument.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     // G, G' and weights of your own: two elements
+///     const Eigen::Matrix2d G{{2, 1}, {1, 2}}, G_prime{{-1, 0.5}, {-0.5, -1}};
+///     const RollingSystem<double> system(G, G_prime, Eigen::Array2d(1, 1));
+///     return std::isfinite(solve_steady(system).c11()) ? 0 : 1;
+/// }
+/// \endcode
 template <class Scalar_>
 class RollingSystem {
 public:

@@ -43,6 +43,18 @@ struct SimplifiedForce {
 /// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
 /// source. Signs are as in Creepage. Convergence is of first order in the elements of a strip. Nothing allocates.
 ///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact({.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const auto steady = solve_steady(contact, patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev});
+///     const SimplifiedTheory theory(contact, creep_coefficients(contact, steady), 0.3, 80e3);
+///     return theory.fastsim({1e-3, 5e-4, 0.1}).force.longitudinal < 0 ? 0 : 1;
+/// }
+/// \endcode
+///
 /// Invariant: the contact is an ellipse; c11, c22, c23, mu and N are positive and finite; there are at least 3 strips,
 /// each of at least one element.
 class SimplifiedTheory {

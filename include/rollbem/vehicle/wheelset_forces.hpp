@@ -169,6 +169,14 @@ struct WheelsetForces {
     std::array<Wrench, 2> on_wheel;
     Wrench on_wheelset;
     int rounds = 0;  ///< number of rounds of contacts and friction in turn
+
+    /// The status of the contacts or, if these are ok, of the first patch that is not.
+    Status status() const;
+    /// Heat per distance rolled on all patches [J/m], T gamma up to the errors of the discretisation; NaN if one has no
+    /// result.
+    double slip_work() const;
+    /// The largest pressure on both wheels [Pa]; 0 without contact.
+    double peak_pressure() const;
 };
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and

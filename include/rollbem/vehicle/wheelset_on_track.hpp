@@ -49,6 +49,18 @@ PatchContact contact_of(const RailPatch& patch, const TrackDimensions& dimension
 PressureGrid pressure_of(const RailPatch& patch);
 
 /// Both wheels of a wheelset on both rails. Immutable.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
+///     WheelsetOnTrack::Workspace workspace;
+///     const auto contacts = wheelset.solve({.lateral = 2e-3, .yaw = 1e-3}, {80e3, 80e3}, workspace);
+///     return contacts.status == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 class WheelsetOnTrack {
 public:
     using Side = WheelsetSide;

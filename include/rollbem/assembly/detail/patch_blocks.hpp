@@ -21,7 +21,7 @@
 #include "../../system/detail/shape_set.hpp"
 #include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
-#include "../rolling_system.hpp"
+#include "line_rows.hpp"
 #include "patch_rows.hpp"
 
 namespace rollbem::detail {

@@ -671,4 +671,30 @@ ROLLBEM_DECL WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, cons
     return detail::RollingBalance(wheelset, rolling, friction).solve(workspace, options);
 }
 
+ROLLBEM_DECL Status WheelsetForces::status() const {
+    if (contacts.status != Status::ok) return contacts.status;
+    for (const std::vector<PatchForce>& wheel : patches) {
+        for (const PatchForce& patch : wheel) {
+            if (patch.status != Status::ok) return patch.status;
+        }
+    }
+    return Status::ok;
+}
+
+ROLLBEM_DECL double WheelsetForces::slip_work() const {
+    double sum = 0;
+    for (const std::vector<PatchForce>& wheel : patches) {
+        for (const PatchForce& patch : wheel) sum += patch.slip_work;
+    }
+    return sum;
+}
+
+ROLLBEM_DECL double WheelsetForces::peak_pressure() const {
+    double largest = 0;
+    for (const auto& wheel : contacts.wheels) {
+        for (const RailPatch& patch : wheel.patches) largest = (std::max)(largest, patch.peak_pressure);
+    }
+    return largest;
+}
+
 }  // namespace rollbem
