@@ -98,7 +98,8 @@ const study::Sheet<Compared, double> sheet{
     "",
     {{"shift", "lateral shift of the wheelset [m]", &Compared::shift},
      {"method",
-      "virtual-penetration (share 0.55 of the approach), or cells-NXxNS; where pressures have several maxima there are more cells, so that "
+      "virtual-penetration (share 0.55 of the approach), or cells-NXxNS; where pressures have several maxima there are "
+      "more cells, so that "
       "rows of two methods may be alike",
       &Compared::method},
      {"height", "height at which 80 x 40 cells carry --load [m]", &Compared::height},

@@ -218,8 +218,8 @@ void read_load(const Options& options, Run& run) {
         const auto sine = options.pair("load-sine");
         const bool small = sine && (run.breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
         options.require(small && sine->second > 0, "load-sine",
-                        std::string("be A,LENGTH with ") +
-                            (run.breathing ? "|A| < 1 with --breathing" : "|A| <= 1") + " and LENGTH > 0");
+                        std::string("be A,LENGTH with ") + (run.breathing ? "|A| < 1 with --breathing" : "|A| <= 1") +
+                            " and LENGTH > 0");
         return imposed.set("load_ratio", {sine->first, 2 * std::numbers::pi / sine->second}, 1);
     }
     if (by_history) {

@@ -1,11 +1,11 @@
 // Linear interpolation between ascending places.
 #pragma once
 
+#include "language.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
-
-#include "language.hpp"
 
 namespace rollbem::detail {
 
