@@ -3,6 +3,8 @@
 // and rollbem/reference/, which needs GSL.
 #pragma once
 
+#include "detail/language.hpp"
+
 #include "accuracy/recommendation.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/frequency.hpp"

@@ -1,4 +1,4 @@
-// apps/apps/studies/critical_alpha.hpp
+// apps/studies/critical_alpha.hpp
 #include <cmath>
 #include <complex>
 #include <optional>

@@ -93,7 +93,6 @@ transient_study --n 8 --step 1 --no-timing
 friction_study --n 10 --creepage-ratio 0.5,0.6 --no-timing
 patch_study --n 4 --longitudinal 0.1 --no-timing
 precision_study --n 4,6 --quantity c11 --no-timing
-extremes_study --patches 41
 profile_study --shift 0,0.001 --no-timing
 COMMANDS
 if command -v script >/dev/null; then

@@ -1,4 +1,4 @@
-// apps/apps/studies/stick_border.hpp
+// apps/studies/stick_border.hpp
 #include <algorithm>
 #include <cmath>
 #include <functional>

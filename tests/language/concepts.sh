@@ -16,7 +16,7 @@ plain=-fdiagnostics-plain-output
 if "$compiler" $plain -E - < /dev/null > /dev/null 2>&1; then options="$options $plain"; fi
 
 cat > "$folder/unit.cpp" <<END
-#include <rollbem/rolling/run.hpp>
+#include <rollbem/rolling/detail/stage_table.hpp>
 #include <rollbem/steady/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/spectral/chebyshev.hpp>

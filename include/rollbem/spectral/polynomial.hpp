@@ -1,5 +1,5 @@
 // Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel, in Chebyshev polynomials, where it costs
-// O(order) and is accurate to rounding; apps/apps/studies/monomial.hpp has the monomials of the paper. Dimensionless:
+// O(order) and is accurate to rounding; apps/studies/monomial.hpp has the monomials of the paper. Dimensionless:
 // a = G = V = 1.
 #pragma once
 
