@@ -284,12 +284,12 @@ public:
         for (std::size_t k = 1; k < ends.size(); ++k) {
             const Eigen::Index from = ends[k - 1], to = ends[k];
             const double scale = (lengths[to] - lengths[from]) / (s[to] - s[from]);
-            Eigen::Index near = from;
+            Eigen::Index below = from;
             for (Eigen::Index i = from + 1; i < to; ++i) {
                 const double length = lengths[from] + scale * (s[i] - s[from]);
-                while (near + 2 <= to && lengths[near + 1] <= length) ++near;
-                const double share = (length - lengths[near]) / (lengths[near + 1] - lengths[near]);
-                std::tie(y[i], z[i]) = std::tuple_cat(at(near, share));
+                while (below + 2 <= to && lengths[below + 1] <= length) ++below;
+                const double share = (length - lengths[below]) / (lengths[below + 1] - lengths[below]);
+                std::tie(y[i], z[i]) = std::tuple_cat(at(below, share));
             }
         }
         return {std::move(y), std::move(z), use_of(profile_)};
