@@ -640,7 +640,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
           "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     const RollingFriction friction{.coefficient = 0.5, .elements = 6, .strips = 7};
-    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16};
+    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16, .halves_cells = false};
     // contacts of the last two jump with the loads
     for (const auto& [lateral, yaw] :
          {std::pair{4.91297511e-3, 5.43510045e-3}, {6.59e-3, -6.7e-3}, {7.2e-3, -1.17e-2}}) {
@@ -656,8 +656,8 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
     const WheelsetRolling rolling{.position = {.lateral = 7.22e-3, .yaw = -1.11e-2},
                                   .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 20}};
-    const auto jumps =
-        rolling_forces(wheelset, rolling, {.coefficient = 0.6, .elements = 6, .strips = 7}, workspace, few_cells);
+    const auto jumps = rolling_forces(wheelset, rolling, {.coefficient = 0.6, .elements = 6, .strips = 7}, workspace,
+                                      {.cells_x = 60, .cells_s = 16, .halves_cells = false});
     CHECK(jumps.contacts.wheels[0].status == Status::ok);
     CHECK(jumps.contacts.wheels[1].status == Status::unbalanced);
     CHECK(jumps.contacts.status == Status::unbalanced);
