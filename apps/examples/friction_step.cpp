@@ -17,7 +17,7 @@ int main() {
     Run run(model);
     double heat = 0;  // by slip [J]
     for (int k = 0; k < 200; ++k) {
-        const auto step = run.advance({0.2e-3, Creepage{2e-3}});  // rolls on by 0.2 mm
+        const auto step = run.advance({0.2e-3, Creepage<double>{2e-3}});  // rolls on by 0.2 mm
         if (step.status != Status::ok) return 1;
         heat += step.slip_work;
     }

@@ -18,7 +18,7 @@ int main() {
     Run run(model);
     for (int k = 1; k <= 100; ++k) {
         hertz.set(1e6 * (1 + 0.5 * std::sin(0.1 * k)), load);
-        const auto step = run.advance({0.1 * contact.half_length(), Creepage{1e-3}, load});
+        const auto step = run.advance({0.1 * contact.half_length(), Creepage<double>{1e-3}, load});
         if (step.status != Status::ok) return 1;
         std::cout << step.force.longitudinal << '\n';
     }

@@ -37,6 +37,17 @@ study::Row row(const Point& point) {
     return cells;
 }
 
+namespace {
+
+bool is_status(const std::string& word) {
+    for (int k = 0; k <= int(rollbem::Status::not_finite); ++k) {
+        if (word == name(rollbem::Status(k))) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
     study::Lines lines(options, "front");
     const auto require = [&](bool holds, const std::string& what) {
@@ -72,13 +83,18 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
             require(text.empty() || value, "be a number or empty: " + text);
             return value;
         };
-        const std::optional<double> n = cell(1), stable = cell(5);
-        require(!n || (*n >= 1 && *n <= 1e9), "have a number of elements: " + cells[1]);
+        const std::optional<double> n = cell(1), error = cell(3), time = cell(4), stable = cell(5);
+        require(!n || (*n >= 1 && *n <= 1e9 && *n == std::round(*n)), "have a number of elements: " + cells[1]);
+        require(!time || *time > 0, "have a time above 0: " + cells[4]);
+        require(!stable || *stable == 0 || *stable == 1, "have 1 or 0 where it says whether it is stable: " + cells[5]);
+        require(is_status(cells[8]), "have a status: " + cells[8]);
+        require((cells[8] == "ok") == error.has_value(),
+                "have a relative_error where its status is ok, and there alone: " + cells[3] + ", " + cells[8]);
         points.push_back({.scheme = cells[0],
                           .n = n ? std::optional(std::lround(*n)) : std::nullopt,
                           .quantity = cells[2],
-                          .relative_error = cell(3),
-                          .time_us = cell(4),
+                          .relative_error = error,
+                          .time_us = time,
                           .stable = stable ? std::optional(*stable != 0) : std::nullopt,
                           .on_front = std::nullopt,
                           .model_error = cell(7),
