@@ -85,6 +85,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
         };
         const std::optional<double> n = cell(1), error = cell(3), time = cell(4), stable = cell(5);
         require(!n || (*n >= 1 && *n <= 1e9 && *n == std::round(*n)), "have a number of elements: " + cells[1]);
+        require(n || cells[0] == "closed-form", "have a number of elements, as all but closed-form");
         require(!time || *time > 0, "have a time above 0: " + cells[4]);
         require(!stable || *stable == 0 || *stable == 1, "have 1 or 0 where it says whether it is stable: " + cells[5]);
         require(is_status(cells[8]), "have a status: " + cells[8]);
