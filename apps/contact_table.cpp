@@ -255,9 +255,8 @@ const study::Sheet<Scanned, Position>& scan_sheet() {
             return (row.found.*of)[row.side][i] * (i == 2 ? ContactTable::half_base : 1);
         });
     };
-    const char* by_table =
-        "forces [N] and moment [N m] on the wheel by the table, in track axes about the middle of the axle";
-    const char* by_patches = "forces and moment by the patches, likewise";
+    const char* by_table = "forces on the wheel by the table, in track axes [N]";
+    const char* by_patches = "forces by the patches, likewise [N]";
     static const study::Sheet<Scanned, Position> columns{
         "",
         {{"load", "vertical load on each wheel [N]: nodes of the table and their midpoints",
@@ -267,10 +266,10 @@ const study::Sheet<Scanned, Position>& scan_sheet() {
          {"side", "wheel, left or right", [](const Scanned& row) { return row.side == 0 ? "left" : "right"; }},
          {"table_force_x", by_table, force(&Compared::table, 0)},
          {"table_force_y", by_table, force(&Compared::table, 1)},
-         {"table_moment_z", by_table, force(&Compared::table, 2)},
+         {"table_moment_z", "moment of these about the middle of the axle [N m]", force(&Compared::table, 2)},
          {"patch_force_x", by_patches, force(&Compared::patches, 0)},
          {"patch_force_y", by_patches, force(&Compared::patches, 1)},
-         {"patch_moment_z", by_patches, force(&Compared::patches, 2)},
+         {"patch_moment_z", "moment by the patches, likewise [N m]", force(&Compared::patches, 2)},
          {"points", "number of the table's points of contact that carry load",
           [](const Scanned& row) { return row.found.points[row.side]; }},
          {"status", "ok, or why there are no forces", [](const Scanned& row) { return row.found.status; }}},
@@ -308,7 +307,7 @@ study::Table scan_table(const Comparison& comparison, Summary& summary) {
 }
 
 std::string help() {
-    return R"(Example: a table of S1002 on 60E1, by two threads; the same by 4 machines; then beside patches
+    return R"(Example: a table of S1002 on 60E1, by two threads; the same by 4 machines; then against patches
   contact_table --output s1002_60e1.contact --jobs 2
   contact_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
   cat part?.csv > rows.csv && contact_table --rows rows.csv --output s1002_60e1.contact
@@ -322,7 +321,7 @@ Smooth weights part the rail into at most four zones, whose cuts the program fin
 --shard writes rows of numbers in place of the file, one for each node, side and possible zone: load, yaw, shift, side,
 zone, then the zone's cut and the values at the node. Each part finds the zones anew, from a quarter of all positions,
 unless --zones gives them; parts of whole lines of shifts take least time.
---check: random scenes with |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within the table, creepages in a random
+--check: random cases with |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within the table, creepages in a random
 direction whose linear forces are 0.05 to 5 mu N, mu = 0.3, 20 m/s. Lines on standard output: differences between table
 and patches (rolling_forces) of F_x, F_y and M_z (about the middle of the axle, over 0.75 m), over mu Q; and the
 relative difference between the power of the table's forces on the rigid motion, in a curve of 300 m, and creep work.

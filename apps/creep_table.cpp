@@ -16,7 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
@@ -86,7 +88,7 @@ const std::vector<std::string> columns = study::cells_of(
     "rounds,complementarity_residual,time_us,status,nodes");
 
 /// The first columns, which say what node it is.
-study::Row node_cells(const CreepForceSource& source, const Creepage<double>& v) {
+study::Row node_cells(const CreepForceSource& source, const Creepage& v) {
     return {source.contact().a_over_b(),
             source.contact().poisson_ratio(),
             source.mesh().elements_per_strip(),
@@ -107,7 +109,7 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
     Eigen::Index node = first;
     while (!grid.begins_line(node)) --node;
     for (; node < last; ++node) {
-        const Creepage<double> v = grid.creepage(slab.shape, node);
+        const Creepage v = grid.creepage(slab.shape, node);
         const CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
@@ -183,12 +185,12 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
         const double level = 0.02 * std::pow(1000, uniform(random)), radius = std::sqrt(1 - height * height);
         const Eigen::Array3d direction =
             level * Eigen::Array3d(radius * std::cos(angle), radius * std::sin(angle), height);
-        const Creepage<double> v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
+        const Creepage v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
         const CreepForceSource::Solution solved = source.solve(v, true);
         const double load = contact.half_width();  // G a b
         const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});
         if (solved.step.status != rollbem::Status::ok || found.status != rollbem::Status::ok) {
-            throw std::runtime_error("--check: a scene at a/b = " + study::Cell(a_over_b).text(6) + " has no forces");
+            throw std::runtime_error("--check: a case at a/b = " + study::Cell(a_over_b).text(6) + " has no forces");
         }
         const Eigen::Array3d force =
             -Eigen::Array3d(found.force.longitudinal, found.force.lateral, found.force.moment / contact.c()) / load;
@@ -248,14 +250,14 @@ One row for each node of the grid, with columns as in patch_study:
                     -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c)
   stick_count, rounds, complementarity_residual, time_us, status, nodes
                     as in patch_study
-Beside FILE stands FILE.bin, for CreepForceTable::read of the library (not for a shard, nor on standard output).
+Next to FILE stands FILE.bin, for CreepForceTable::read of the library (not for a shard, nor on standard output).
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
 time_us stays empty, so that rows are the same wherever they are computed.
 Extrapolation from two meshes has larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11,
-eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is
-the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
+eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a case is
+the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten cases share an ellipse.
 )";
 
 void add_options(study::Options& options) {
@@ -271,7 +273,7 @@ void add_options(study::Options& options) {
                       "CSV file of the rows, the parts of --shard one after the other, made with the same options and "
                       "version, in place of a computation");
     options.add("check", "N",
-                "number of random scenes [dimensionless], 1 to 10000000, in which the table is compared with its "
+                "number of random cases [dimensionless], 1 to 10000000, in which the table is compared with its "
                 "patches: mean and largest difference are printed; no comparison without it");
     options.set_default("n", "17");
     options.set_help("n",

@@ -114,11 +114,11 @@ One row for each case:
                     there is no result; broken if neither: the exit code is then 1, after all rows
   status            ok, the library's word for what went wrong, or exception
 --patches: a/b from 0.05 to 20, nu = 0, 0.28 or 0.5, up to 12 elements in each of up to 10 strips, creepages over four
-decades (spin alone in every sixth scene), steps of 1e-3 to 10 a. In half of the scenes creepages and loads jump; in
+decades (spin alone in every sixth case), steps of 1e-3 to 10 a. In half of the cases creepages and loads jump; in
 half a varies, in half of these a/b, too. The error is the largest violation of Coulomb's law and of the equations,
 set up anew from G, G' and du/dy (with sdirk2, whose stages are hidden, of |p| <= mu p_n in its steps); value is the
 last -F_y over mu N. Steps that a mesh cannot follow must be refused.
---contacts: S1002 on UIC 60, in every second scene one of ten pairs of profiles with hollows, bumps and waves, shifted
+--contacts: S1002 on UIC 60, in every second case one of ten pairs of profiles with hollows, bumps and waves, shifted
 by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the error
 would be above 1; every 99th contact is searched in slices, as if surfaces changed along the way. value is the least
 gap [m] that a brute-force search finds after the displacements of all patches. relative_error is the largest of three:

@@ -16,12 +16,18 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/studies.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"
@@ -46,7 +52,7 @@ struct Response {
 };
 
 /// The response of the plane model; unknown if that does not decay.
-Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
+Complex exact_c11(const rollbem::Contact& contact, double omega) {
     if (!study::plane_model_decays(contact)) return unknown;
     return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
 }
@@ -85,8 +91,8 @@ std::vector<double> read_omegas(const study::Options& options) {
 void read_polynomials(const study::Options& options, Job& job) {
     options.require(!options.given("kernel") || options.choice("kernel", {"strip", "plane"}) == "plane", "kernel",
                     "be plane with --method polynomial");
-    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
-    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
+    const std::vector<rollbem::Contact> contacts = study::make_contacts(options, study::Problem::non_steady);
+    for (const rollbem::Contact& contact : contacts) study::require_plane_model(contact);
     job.basis = options.choice("basis", {"monomial", "chebyshev"});
     std::vector<std::ptrdiff_t> orders{0};
     if (options.given("order")) orders = options.integers("order", 1, 100000000);
@@ -95,7 +101,7 @@ void read_polynomials(const study::Options& options, Job& job) {
         throw study::BadInput("--omega = " + study::Cell(omega).text(6) + " must be at most 1e8 without --order");
     }
     for (const std::ptrdiff_t order : orders) {
-        for (const rollbem::Contact<double>& contact : contacts) {
+        for (const rollbem::Contact& contact : contacts) {
             job.scenes.push_back(study::make_scene({.method = "polynomial"}, 0, contact, rollbem::LineModel::plane));
             job.orders.push_back(order);
         }
@@ -165,7 +171,7 @@ public:
 
 private:
     std::string steady_;
-    std::optional<rollbem::FrequencySweep<double>> sweep_;
+    std::optional<rollbem::FrequencySweep> sweep_;
 };
 
 /// Emits the responses at the frequencies; if `checked`, a c11 that cannot be trusted is left out.
@@ -192,7 +198,7 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
 
 /// The response by a polynomial. Monomials that break down are refused. If the order of Chebyshev polynomials is too
 /// low, a `checked` c11 is not a number, and the estimate stays.
-Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, const std::string& basis,
+Response solve(const rollbem::Contact& contact, double omega, Eigen::Index order, const std::string& basis,
                bool checked) {
     const double nu = contact.poisson_ratio();
     Response response{.omega = omega,
@@ -244,7 +250,7 @@ Response solve_without_elements(const Job& job, std::size_t task, double omega) 
 // --- differential equations and pictures
 
 /// Throws BadInput, which begins with `said`, unless the scene's G is regular and tractions converge to full adhesion.
-rollbem::StateSpace<double> equations_of(const study::Scene& scene, const std::string& said) {
+rollbem::StateSpace equations_of(const study::Scene& scene, const std::string& said) {
     if (!scene.is_discrete() || scene.coarse) {
         throw study::BadInput(said + " must go with elements or states on one mesh");
     }
@@ -274,7 +280,7 @@ study::Picture draw_response(const study::Records& rows, const Job& job) {
     const auto [lowest, highest] = std::minmax_element(job.omegas.begin(), job.omegas.end());
     const study::PlotAxis omega{"ω a / V", *lowest > 0 && *highest > 20 * *lowest};
     const std::string title = "Harmonic creepage";
-    study::Plot argand{.title = title, .x = {"Re c_{11}"}, .y = {"Im c_{11}"}};
+    study::Plot argand{.title = title, .x = {"Re c_{11}"}, .y = {"Im c_{11}"}, .to_scale = true};
     study::Plot parts{.title = title, .x = omega, .y = {"Re c_{11}, Im c_{11}"}};
     study::Plot errors{.title = title, .x = omega, .y = {"|c_{11} / c_{11,exact} - 1|", true}};
     const auto add = [&](study::Plot& plot, const std::string& x, const std::string& part, const std::string& prefix) {

@@ -16,9 +16,18 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "patch/patch.hpp"
 #include "support/options.hpp"
@@ -144,7 +153,7 @@ Found steady(const Patch& patch, bool timed, bool stability) {
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
                 const study::Results<Found>& emit) {
     // One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::FrequencySweep<double> sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
+    const rollbem::FrequencySweep sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -158,8 +167,8 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-rollbem::StateSpace<double> equations_of(const Patch& patch) {
-    rollbem::StateSpace<double> space =
+rollbem::StateSpace equations_of(const Patch& patch) {
+    rollbem::StateSpace space =
         rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
     // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
     const double force = patch.contact.a_over_b(), length = std::sqrt(force);
@@ -185,7 +194,7 @@ study::StateSpaceWords words_of_equations(const Patch& patch) {
 
 /// The text of --help; `columns` name the coefficients.
 std::string help(const std::string& columns) {
-    return R"(Examples: Kalker's creep coefficients over a/b, beside his table; a triangle, pointed in front
+    return R"(Examples: Kalker's creep coefficients over a/b, against his table; a triangle, pointed in front
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
   printf 'y,x_trailing,x_leading\n-1,-1,-1\n0,-1,2\n1,-1,-1\n' > triangle.csv
   patch_study --n 12 --outline triangle.csv --strips 12
@@ -220,11 +229,17 @@ spin, for which strips of equal width are better, an odd number, at a/b >= 1 hal
 a/b (precision_study --recommend): --n 12 --strips 7 --strip-grading uniform errs by 5e-3 where 12 x 12 cosine strips
 err by 1.7e-2. Meshes are compared for creep coefficients alone: where those have the status not_converged, take more
 elements and strips.
+--creepage XI,ETA,PHI: one ellipse in SI units; also its ratios stand in the row.
+  patch_study --n 12 --creepage 0.001,0,0.3 --normal-load 8e4 --friction 0.3 --half-length 6e-3 --half-width 4e-3 \
+      --shear-modulus 8.2e10
+--falling, --memory: slip velocities in V mu_0 p_0/G, p_0 = 3 N/(2 pi a b) Hertz's largest pressure, distances in
+c mu_0 p_0/G; mu is mu_0 in all ratios. A memory needs --strips 1. Where mu falls steeply, several solutions may exist, and rows take the one with
+most friction.
 --plot draws up to three patches at one creepage from above, with y downwards and z away from the viewer. At the pole of
 spin the rigid slip vanishes.
 
 --transient: creepages have one value each, or a --history, and are scaled as above by N_0, a_0 and b_0, the values at
-load_ratio 1. Rigid shifts, shift_x and shift_y of a --history, displace the bodies besides. Where a shift or the force
+load_ratio 1. Rigid shifts, shift_x and shift_y of a --history, displace the bodies in addition. Where a shift or the force
 jumps, the bodies move without rolling, in the time of a step; a jump at q = 0 has a row of its own. p_0 is
 3 N/(2 pi a b) always. One row for each step:
 )" + patch::transient_help() +
@@ -248,10 +263,11 @@ void add_options(study::Options& options) {
     study::add_state_space_options(options, "the one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
+    patch::add_si_options(options);
     const std::vector<std::string> friction = patch::ways_of_friction();
     options.not_with({"stability", "state-space"}, "omega");
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
-    options.only_with({"pressure", "tractions", "transient"}, friction);
+    options.only_with(study::joined(study::friction_law_options(), {"pressure", "tractions", "transient"}), friction);
     options.not_with({"tractions"}, "transient");
     options.footer(help(steady_sheet(true).help()));
 }

@@ -43,25 +43,7 @@ struct Contacts {
 
 Contacts find_contacts(const Settings& settings, const Case& at) {
     const auto start = std::chrono::steady_clock::now();
-    rollbem::WheelsetOnTrack::Workspace workspace;
-    using Free = rollbem::WheelsetOnTrack::Free;
-    const rollbem::WheelsetRolling rolling{
-        .position = {at.shift, at.height.value_or(0), at.roll.value_or(0), at.yaw, at.along, at.pitch},
-        .loads = {settings.load, settings.load},
-        .free = at.height ? Free::nothing
-                : at.roll ? Free::height
-                          : Free::height_and_roll,
-        .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
-        .free_pitch = !at.pitch_rate,
-        .force = settings.force,
-        .loads_include_friction = settings.loads_include_friction};
-    Contacts contacts;
-    if (settings.friction) {
-        contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);
-    } else {
-        contacts.of.contacts =
-            settings.wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
-    }
+    Contacts contacts{.of = forces_at(settings, settings.wheelset, at)};
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (const Side side : settings.sides) {
         if (settings.stress.empty()) break;
@@ -212,7 +194,7 @@ Columns friction_columns() {
             {"slip_power", "power that friction turns into heat [W]",
              study::where(&Found::solved,
                           [](const Found& f) {
-                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
+                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed_of(f.at),
                                                                    .pitch_rate = f.contacts.of.pitch_rate};
                               return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
                           })},
@@ -241,14 +223,48 @@ Columns heat_columns() {
              study::where(&Found::solved, [](const Found& f) { return f.solved()->peak_temperature; })}};
 }
 
+/// Columns of positions, separated by commas, with their units.
+std::string with_units(const std::string& columns) {
+    std::vector<std::string> all = study::columns_of(columns);
+    for (std::string& name : all) {
+        if (name == "shift" || name == "track_x") name += " [m]";
+        if (name == "yaw" || name == "pitch") name += " [rad]";
+    }
+    return study::join(all, ",");
+}
+
 /// The columns, in track axes: y, angles and lateral quantities of a left wheel are its mirror image's, reversed.
 study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heats, bool stress) {
     Columns columns = patch_columns();
     if (friction) columns = study::joined(columns, friction_columns());
     if (heats) columns = study::joined(columns, heat_columns());
     if (stress) columns = study::joined(columns, stress_columns());
-    return {positions, columns, ""};
+    return {with_units(positions), columns, ""};
 }
+
+/// The patches of one position on a terminal.
+const study::Blocks patch_by_patch{{"shift", "yaw", "track_x", "pitch", "roll", "side", "patch", "status"},
+                                   {"load",
+                                    "x",
+                                    "y",
+                                    "z",
+                                    "rail_y",
+                                    "wheel_y",
+                                    "angle",
+                                    "peak_pressure",
+                                    "area",
+                                    "half_length",
+                                    "half_width",
+                                    "longitudinal_creepage",
+                                    "lateral_creepage",
+                                    "spin",
+                                    "longitudinal_force",
+                                    "lateral_force",
+                                    "spin_moment",
+                                    "slip_power",
+                                    "peak_temperature",
+                                    "max_von_mises",
+                                    "max_tresca"}};
 
 std::string help() {
     return R"(Example: contact points over the lateral shift, as every vehicle engineer draws them
@@ -299,7 +315,8 @@ the library has it. At --shift 0.005 --load 8e4 --friction 0.3 the patch on the 
 rows), side, patch, s, x, depth [m], von_mises, tresca [Pa].
 --wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m]
 and work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
---outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
+)" + profile::wear_help() +
+           R"(--outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 
 )" + profile::conicity_help() +
@@ -338,7 +355,7 @@ void write_outlines(study::OutputFiles& files, const Settings& settings, const P
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
-        const rollbem::Outline<double>& outline = *patch.outline;
+        const rollbem::Outline& outline = *patch.outline;
         std::string edges = "y,x_trailing,x_leading\n", pressures = "x,y,pressure\n";
         for (Eigen::Index i = 0; i < outline.y().size(); ++i) {
             const double y = outline.y()[left ? outline.y().size() - 1 - i : i];
@@ -460,6 +477,7 @@ study::Table patch_table(Run& run, study::OutputFiles& files) {
         if (run.stress != nullptr) write_stresses(*run.stress, settings, run.positions);
     };
     table.plot = [&](const study::Records& rows) { return draw(run, rows); };
+    if (settings.cases.size() == 1) table.blocks = patch_by_patch;
     return table;
 }
 
@@ -479,8 +497,13 @@ int main(int argc, char** argv) {
         } else {
             const Settings settings = profile::read_settings(given);
             study::OutputFiles files;
-            Run run(settings, files);
-            study::write_table(given, patch_table(run, files), files);
+            if (settings.wear_plan) {
+                profile::WearRun wear(settings);
+                study::write_table(given, wear.table(files), files);
+            } else {
+                Run run(settings, files);
+                study::write_table(given, patch_table(run, files), files);
+            }
         }
         return study::exit_ok;
     });

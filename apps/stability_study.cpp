@@ -1,5 +1,5 @@
 // Stability in the time domain: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number,
-// and the signs that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the
+// and the signs that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues against the
 // exact ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
@@ -18,10 +18,12 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/studies/critical_alpha.hpp>
 
+#include "studies/critical_alpha.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"
@@ -30,7 +32,7 @@ namespace {
 
 using study::Cell;
 using Complex = std::complex<double>;
-using Result = rollbem::StabilityResult<double>;
+using Result = rollbem::StabilityResult;
 
 constexpr study::Methods methods{
     .states = true,
@@ -88,8 +90,8 @@ Count count(const study::Scene& scene, bool timed) {
     if (found.of.status == rollbem::Status::ok) found.cond_G = rollbem::condition_number(system->G());
     found.status = study::status_of(found.of.status, scene, *system);
     if (timed) {
-        found.time_us = study::median_time_us(
-            [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
+        found.time_us =
+            study::median_time_us([&] { return rollbem::solve_stability(study::system_of(scene)).spectral_abscissa; });
     }
     return found;
 }
@@ -114,12 +116,12 @@ std::vector<std::string> map_axes(const study::Records& rows) {
 /// The share of growing modes over the swept quantity, or as a map over two.
 study::Picture draw_counts(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     if (const std::vector<std::string> axes = map_axes(rows); !axes.empty()) {
-        study::Plot plot{.title = "Stability, n = " + std::to_string(scenes.front().n()),
+        study::Plot plot{.title = "Stability",
                          .x = {study::shown_name(axes[1])},
                          .y = {study::shown_name(axes[0])},
                          .colours = "share of unstable eigenvalues"};
-        if (axes[0] == "n") plot.title = "Stability";
-        plot.series.push_back(study::map_of(rows, axes[1], axes[0], "unstable_fraction"));
+        counts.draw(plot, rows, {.x = axes[1], .y = "unstable_fraction"}, {axes[0]});  // for its title
+        plot.series = study::map_of(rows, axes[1], axes[0], "unstable_fraction");
         return {plot};
     }
     const study::Axis x = study::most_varied(scenes);
@@ -195,7 +197,7 @@ constexpr double most_resolved = 3e4;  // |nu a| far beyond what any mesh resolv
 
 /// The eigenvalues of the plane model in closed form with Im >= 0, by ascending modulus: they are about pi apart, and
 /// these reach at least as far as `modulus`. None if the model does not decay.
-std::vector<Complex> exact_eigenvalues(const rollbem::Contact<double>& contact, double modulus) {
+std::vector<Complex> exact_eigenvalues(const rollbem::Contact& contact, double modulus) {
     if (!study::plane_model_decays(contact)) return {};
     return rollbem::reference::eigenvalues(static_cast<std::size_t>(modulus / std::numbers::pi) + 8,
                                            contact.poisson_ratio(), contact.aspect());
@@ -214,7 +216,7 @@ std::optional<Complex> nearest(const std::vector<Complex>& exact, Complex nu) {
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Results<Eigenvalue>& emit) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
     Result result;
-    if (system) result = rollbem::solve_stability<double>(*system);
+    if (system) result = rollbem::solve_stability(*system);
     const std::string status = system ? study::status_of(result.status, scene, *system) : name(result.status);
     const bool found = result.status == rollbem::Status::ok;
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
@@ -341,7 +343,7 @@ int main(int argc, char** argv) {
                   "to 1e-5, in place of counts")
         .only_with({"method=collocation", "method=galerkin"}, ": others have no alpha_T")
         .not_with("spectrum");
-    options.add_flag("spectrum", "table of all eigenvalues, each beside the nearest exact one, in place of counts");
+    options.add_flag("spectrum", "table of all eigenvalues, each with the nearest exact one, in place of counts");
     options.not_with({"alpha-T"}, "critical", ", which searches for it");
     options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
     study::offer_chebyshev(options);

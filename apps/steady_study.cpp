@@ -10,11 +10,14 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/sheet.hpp"
 #include "support/timing.hpp"

@@ -5,8 +5,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "naive.hpp"
 
@@ -14,7 +17,7 @@ namespace {
 
 using namespace rollbem;
 
-const Contact<double> contact = Contact<double>::dimensionless(1000, 0.28);
+const Contact contact = Contact::dimensionless(1000, 0.28);
 
 Mesh<double> make_mesh(const std::string& name, Eigen::Index n) {
     return name == "cosine" ? cosine_mesh(n) : uniform_mesh(n);
@@ -99,7 +102,7 @@ void lu_solve(benchmark::State& state) {
 /// The whole system of m Chebyshev states, to compare with BM_LU.
 template <class Kernel>
 void chebyshev_system(benchmark::State& state, double aspect) {
-    const Kernel kernel = Kernel::longitudinal(Contact<double>::dimensionless(aspect, contact.poisson_ratio()));
+    const Kernel kernel = Kernel::longitudinal(Contact::dimensionless(aspect, contact.poisson_ratio()));
     const Chebyshev method{.states = state.range(0)};
     for (auto _ : state) benchmark::DoNotOptimize(rolling_system(method, kernel));
     state.counters["n"] = static_cast<double>(state.range(0));

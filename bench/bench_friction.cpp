@@ -9,9 +9,16 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/studies/stick_border.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
+
+#include "studies/stick_border.hpp"
 
 namespace {
 
@@ -22,7 +29,7 @@ constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G
 
 double creepage_size(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
-Creepage<double> creepage(double ratio) { return {creepage_size(ratio)}; }
+Creepage creepage(double ratio) { return {creepage_size(ratio)}; }
 constexpr double aspect = 1000;
 double force_ratio(const FrictionStep& step) {
     return -step.force.longitudinal / (2 * aspect * peak * std::numbers::pi / 2);
@@ -45,7 +52,7 @@ double largest_error(const FrictionModel& model) {
 struct Scene {
     explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
 
-    Contact<double> contact = Contact<double>::dimensionless(aspect, poisson_ratio);
+    Contact contact = Contact::dimensionless(aspect, poisson_ratio);
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
@@ -125,9 +132,9 @@ BENCHMARK(BM_LuSolve)->Arg(20)->Arg(30)->Arg(40)->Arg(80)->Arg(160);
 // One point of the creep curve by the exact border, all costs included. Argument: 100 times the creepage ratio.
 template <class Kernel>
 void exact_border(benchmark::State& state) {
-    const Contact<double> contact = Contact<double>::dimensionless(aspect, poisson_ratio);
+    const Contact contact = Contact::dimensionless(aspect, poisson_ratio);
     const Kernel kernel = Kernel::longitudinal(contact);
-    const HertzPressure<double> pressure{peak};
+    const HertzPressure pressure{peak};
     const double ratio = static_cast<double>(state.range(0)) / 100;
     StickBorderSolution<double> solution;
     for (auto _ : state) {
@@ -163,15 +170,14 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
                              Integrator integrator = Integrator::implicit_euler) {
     constexpr double a = 4e-3, speed = 45;
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
-    const Contact<double> contact(
-        {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+    const Contact contact({.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
     const Friction friction{
         ExponentialFall{0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(contact,
                               rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
                               unchecked, friction, integrator);
     roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
-        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage<double>{1e-3}}, next, workspace);
+        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage{1e-3}}, next, workspace);
     });
 }
 void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
@@ -189,7 +195,7 @@ void steps_changing(benchmark::State& state, Integrator integrator) {
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     double q = 0, changing = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const Creepage<double> before = creepage(0.9 * std::sin(q));
+        const Creepage before = creepage(0.9 * std::sin(q));
         q += 0.05;
         const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
         const FrictionStep step = model.advance(now, {0.05, motion}, next, workspace);
@@ -209,7 +215,7 @@ void steps_of_new_length(benchmark::State& state, Integrator integrator) {
     const FrictionModel model = Scene(state.range(0)).model(integrator);
     double q = 0, dq = 0.05;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const Creepage<double> before = creepage(0.9 * std::sin(q));
+        const Creepage before = creepage(0.9 * std::sin(q));
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
         const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
@@ -225,14 +231,13 @@ BENCHMARK(BM_FrictionStepNewLengthSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 // on a fixed mesh, where the matrix is constant.
 void steps_under_load(benchmark::State& state, Integrator integrator, bool breathing) {
     const Eigen::Index n = state.range(0);
-    const HertzLine<double> line(
+    const HertzLine line(
         {.load_per_width = 5e6, .combined_radius = 0.25, .body_1 = {210e9, 0.28}, .body_2 = {210e9, 0.28}});
     const double a = line.half_length() * (breathing ? 1 : 1.25);
-    const Contact<double> contact({.half_length = a, .half_width = 1, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+    const Contact contact({.half_length = a, .half_width = 1, .shear_modulus = 82e9, .poisson_ratio = 0.28});
     const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
-    const HertzLoad<double> hertz =
-        breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
-    NormalLoad<double> load = hertz.at(line.load_per_width());
+    const HertzLoad hertz = breathing ? HertzLoad::breathing(line, mesh) : HertzLoad::fixed(line, mesh, a);
+    NormalLoad load = hertz.at(line.load_per_width());
     const FrictionModel model(
         contact,
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
@@ -245,7 +250,7 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
             state.SkipWithError("load");
             return FrictionStep{};
         }
-        return model.advance(now, {dq, Creepage<double>{5e-4}, load}, next, workspace);
+        return model.advance(now, {dq, Creepage{5e-4}, load}, next, workspace);
     });
 }
 void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
@@ -301,7 +306,7 @@ FrictionModel combined_steady_model(const Scene& scene) {
         {steady_system(scene.mesh, scene.scheme, scene.kernel), steady_system(scene.mesh, scene.scheme, scene.lateral)},
         scene.friction};
 }
-Creepage<double> creepage(double ratio, double degrees) {
+Creepage creepage(double ratio, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     return {creepage_size(ratio) * std::cos(angle), creepage_size(ratio) * std::sin(angle)};
 }
@@ -331,7 +336,7 @@ void combined_steps(benchmark::State& state, Integrator integrator) {
                               unchecked, scene.friction, integrator);
     double q = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
+        const Creepage before = creepage(0.9 * std::sin(q), 20 * q);
         q += 0.05;
         const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q), 20 * q));
         return model.advance(now, {0.05, motion}, next, workspace);
@@ -358,9 +363,9 @@ struct CombinedWheel {
     }
 
     Mesh<double> mesh;
-    Contact<double> contact;
+    Contact contact;
     ArrayX<double> pressure;
-    Creepage<double> creepage{8e-4, 6e-4};
+    Creepage creepage{8e-4, 6e-4};
 };
 void BM_CombinedStepUnchanged(benchmark::State& state) {
     const CombinedWheel wheel(state.range(0));

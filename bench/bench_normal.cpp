@@ -9,9 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/normal_contact.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
@@ -24,9 +24,9 @@ using namespace rollbem;
 void BM_NormalContact(benchmark::State& state) {
     const auto n = static_cast<Eigen::Index>(state.range(0));
     constexpr double shear_modulus = 8.2e10, nu = 0.28, load = 1e5, along = 0.46, across = 0.1;
-    const ElasticBody<double> steel{2 * shear_modulus * (1 + nu), nu};
+    const ElasticBody steel{2 * shear_modulus * (1 + nu), nu};
     const double infinite = std::numeric_limits<double>::infinity();
-    const HertzEllipse<double> hertz(
+    const HertzEllipse hertz(
         {.load = load, .radii_1 = {along, infinite}, .radii_2 = {infinite, across}, .body_1 = steel, .body_2 = steel});
     const double a = 1.1 * hertz.half_length(), b = 1.1 * hertz.half_width();
     const double dx = a / double(n), dy = 2 * b / double(n);

@@ -20,10 +20,16 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/closed_form/full_sliding.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/simplified_theory.hpp>
 
@@ -32,11 +38,11 @@ namespace {
 using namespace rollbem;
 
 constexpr NodeDifference scheme{Nodes::chebyshev};
-const PatchContact<double> contact = PatchContact<double>::dimensionless(1, 0.25);
+const PatchContact contact = PatchContact::dimensionless(1, 0.25);
 const HalfSpace<double> kernel(0.25);
 
 // with friction
-const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+const PatchContact circle = PatchContact::dimensionless(1, 0.28);
 const HalfSpace<double> steel(0.28);
 
 FrictionModel steady_model(const PatchMesh<double>& mesh) {
@@ -143,7 +149,7 @@ void BM_CreepTable(benchmark::State& state) {
     Eigen::Array3Xd forces(3, grid.nodes() * shapes);
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         const Eigen::Index shape = i / grid.nodes();
-        const Creepage<double> v = grid.creepage(shape, i % grid.nodes());
+        const Creepage v = grid.creepage(shape, i % grid.nodes());
         const double size = std::hypot(v.longitudinal, v.lateral, v.spin);
         const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
         forces.col(i) = size / (1 + size) * Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
@@ -152,11 +158,11 @@ void BM_CreepTable(benchmark::State& state) {
     // ellipses and creepages all over the table, or of a vehicle's eight contacts
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1, 1);
-    std::vector<PatchContact<double>> contacts;
-    std::vector<Creepage<double>> creepages;
+    std::vector<PatchContact> contacts;
+    std::vector<Creepage> creepages;
     for (int i = 0; i < state.range(0); ++i) {
         const double root = std::pow(10, uniform(random) / 2);
-        contacts.push_back(PatchContact<double>({5e-3 * root, 5e-3 / root, 8e10, 0.28}));
+        contacts.push_back(PatchContact({5e-3 * root, 5e-3 / root, 8e10, 0.28}));
         creepages.push_back({3e-3 * uniform(random), 3e-3 * uniform(random), uniform(random)});
     }
     std::size_t i = 0;
@@ -171,7 +177,7 @@ void BM_SimplifiedTheory(benchmark::State& state) {
     const bool by_strips = state.range(0) == 1;
     const int n = static_cast<int>(state.range(1));
     const SimplifiedTheory theory(circle, {4.2, 3.7, 1.5, -1.5, 1.2}, 1, 1, {n, n});
-    const Creepage<double> creepage{0.14, 0.1, 0.2};
+    const Creepage creepage{0.14, 0.1, 0.2};
     for (auto _ : state) {
         benchmark::DoNotOptimize(by_strips ? theory.fastrip(creepage) : theory.fastsim(creepage));
     }
@@ -191,7 +197,7 @@ void BM_PatchStep(benchmark::State& state) {
     const FrictionModel model(circle, system, unchecked, {1.0, pressure});
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
-    NormalLoad<double> load{pressure, 1, pressure, 1};
+    NormalLoad load{pressure, 1, pressure, 1};
     double q = 0, rounds = 0, steps = 0;
     for (auto _ : state) {
         q += 0.2;

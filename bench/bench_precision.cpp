@@ -8,13 +8,17 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/studies.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "naive.hpp"
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 
 namespace {
 

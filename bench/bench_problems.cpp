@@ -8,17 +8,25 @@
 
 #include <benchmark/benchmark.h>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/studies.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
+
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 
 namespace {
 
 using namespace rollbem;
 
-const Contact<double> contact = Contact<double>::dimensionless(1000, 0.25);
+const Contact contact = Contact::dimensionless(1000, 0.25);
 const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
 constexpr Collocation of_paper{.alpha_L = 0, .alpha_T = 0.63};
@@ -104,12 +112,12 @@ BENCHMARK(BM_SweepLU)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200)
 void BM_SweepHessenberg(benchmark::State& state) {
     const RollingSystem<double> system = system_of_paper(state.range(0));
     for (auto _ : state) {
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         std::complex<double> sum = 0;
         for (const double z : frequencies()) sum += sweep(z).c11();
         benchmark::DoNotOptimize(sum);
     }
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     state.counters["relative_error"] = sweep_error([&](double z) { return sweep(z).c11(); });
     finish(state);
 }

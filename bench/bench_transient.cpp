@@ -5,16 +5,21 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 namespace {
 
 using namespace rollbem;
 
 AdhesionModel<> make_model(Eigen::Index n, Integrator integrator) {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Contact contact = Contact::dimensionless(100, 0.25);
     return {contact,
             rolling_system(cosine_mesh<double>(n), Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                            PlaneKernel<double>::longitudinal(contact)),
@@ -25,7 +30,7 @@ AdhesionModel<> make_model(Eigen::Index n, Integrator integrator) {
 /// the front of the step passes the elements, and leaves the contact at 2.
 double step_error(const AdhesionModel<>& model, int steps) {
     static const reference::StepResponse exact(0.25, 100);
-    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionState state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
     double largest = 0;
     for (int k = 1; k <= 3 * steps; ++k) {
@@ -60,7 +65,7 @@ constexpr int steps_to_one = 64;
 
 /// A step of the same distance as the one before.
 void step(benchmark::State& bench, const AdhesionModel<>& model) {
-    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionState state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
     for (auto _ : bench) {
         benchmark::DoNotOptimize(model.advance(state, {1.0 / steps_to_one, 1.0}, next, workspace));
@@ -77,7 +82,7 @@ void BM_TransientStepExponential(benchmark::State& bench) {
 }
 /// The same of Chebyshev states.
 void BM_ChebyshevStep(benchmark::State& bench) {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Contact contact = Contact::dimensionless(100, 0.25);
     step(bench, {contact, rolling_system(Chebyshev{bench.range(0)}, PlaneKernel<double>::longitudinal(contact)),
                  unchecked, Integrator::matrix_exponential});
 }
@@ -89,7 +94,7 @@ BENCHMARK(BM_ChebyshevStep)->Arg(4)->Arg(8)->Arg(12)->Arg(24)->Arg(40);
 /// A step of another distance than the one before.
 void BM_TransientNewStep(benchmark::State& bench) {
     const AdhesionModel<> model = make_model(bench.range(0), Integrator::sdirk2);
-    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionState state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
     double dq = 1.0 / steps_to_one;
     for (auto _ : bench) {
@@ -104,7 +109,7 @@ BENCHMARK(BM_TransientNewStep)->Arg(20)->Arg(40)->Arg(80)->Arg(128);
 /// The first step of a repeated distance, which computes the matrix for those that follow.
 void first(benchmark::State& bench, Integrator integrator) {
     const AdhesionModel<> model = make_model(bench.range(0), integrator);
-    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionState state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
     double dq = 1.0 / steps_to_one;
     for (auto _ : bench) {

@@ -23,7 +23,7 @@ target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
 # What needs no other part of rollbem::compiled than that for steady rolling, and the rest.
 add_library(rollbem_study_support STATIC)
-foreach(part IN ITEMS csv friction_laws gnuplot history input joined_rows named_scheme option_files option_values options output plot scenes sidecar table)
+foreach(part IN ITEMS csv friction_laws gnuplot history input joined_rows named_scheme option_files option_values options output plot scenes sidecar table terminal_table)
     target_sources(rollbem_study_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")

@@ -3,15 +3,16 @@
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
 # depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper
 # includes no eigenvalue headers, nothing prints, and all reach the check of the language.
-# Bodies, impl/NAME.ipp and .tpp, include their face NAME.hpp first, and nothing but it includes them, last and unless
-# ROLLBEM_COMPILED is defined, which stands nowhere else; a face with bodies includes nothing internal.
+# Bodies, impl/NAME.ipp and .tpp, include their face NAME.hpp first, and nothing but it includes them, last. Those of
+# functions it includes unless ROLLBEM_COMPILED is defined, which stands nowhere else but around `extern template` at the
+# end of a header; a face with such bodies includes nothing internal of its folder.
 set -eu
 cd "$1"
 
 find rollbem -name '*.hpp' -o -name '*.ipp' -o -name '*.tpp' | LC_ALL=C sort | xargs awk '
 function complain(text) { print text; ++complaints }
 function stage(file,  parts) {
-    return split(file, parts, "/") > 2 ? parts[2] : parts[2] == "rollbem.hpp" ? "umbrella" : "root"
+    return split(file, parts, "/") > 2 ? parts[2] : parts[2] ~ /^(rollbem|line|patch|profiles|vehicle)\.hpp$/ ? "umbrella" : "root"
 }
 
 # The path "directory/target" without its "." and ".." parts.
@@ -32,8 +33,8 @@ function find_cycle(file, trail,  list, count, i) {
     state[file] = 1
     count = split(includes[file], list, " ")
     for (i = 1; i <= count; ++i) {
-        if (state[list[i]] == 1 && list[i] !~ /\.ipp$/) complain("include cycle: " trail " -> " list[i])
-        else if (!state[list[i]] && list[i] in known && list[i] !~ /\.ipp$/) find_cycle(list[i], trail " -> " list[i])
+        if (state[list[i]] == 1 && list[i] !~ /\.[it]pp$/) complain("include cycle: " trail " -> " list[i])
+        else if (!state[list[i]] && list[i] in known && list[i] !~ /\.[it]pp$/) find_cycle(list[i], trail " -> " list[i])
     }
     state[file] = 2
 }
@@ -63,7 +64,7 @@ function forbid(file, pattern, reason,  target) {
 
 BEGIN {
     count = split("detail root scene closed_form system discretisation normal elasticity assembly " \
-        "rolling adhesion friction spectral steady accuracy vehicle studies reference compiled umbrella", order, " ")
+        "rolling adhesion friction spectral steady accuracy vehicle reference umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -78,15 +79,20 @@ FNR == 1 {
     tail = ""
 }
 
+/^extern template / { externs[FILENAME] = 1 }
+
 FILENAME != "rollbem/detail/decl.hpp" {
     if (/ROLLBEM_COMPILED/) {
-        if ($0 != "#ifndef ROLLBEM_COMPILED" || tail) complain(FILENAME ":" FNR ": ROLLBEM_COMPILED beside the tail of a face")
-        tail = "opened"
+        if ($0 !~ /^#ifn?def ROLLBEM_COMPILED$/ || tail) complain(FILENAME ":" FNR ": ROLLBEM_COMPILED beside the tail of a face")
+        tail = /^#ifdef/ ? "externs" : "opened"
     } else if (tail == "opened") {
-        if ($0 != "#include \"impl/" name ".ipp\"") complain(FILENAME ":" FNR ": not the bodies of " name ".hpp")
+        if ($0 != "#include \"impl/" name ".ipp\"" && $0 != "#include \"impl/" name ".tpp\"")
+            complain(FILENAME ":" FNR ": not the bodies of " name ".hpp")
         tail = "included"
+    } else if (tail == "externs" || (tail == "included" && !/^#(else|endif)/)) {
+        if (!/^(namespace |extern template |    |}|#endif|$)/) complain(FILENAME ":" FNR ": no `extern template` under ROLLBEM_COMPILED")
     } else if (tail == "closed") complain(FILENAME ":" FNR ": code after the bodies")
-    if (tail == "included" && /^#endif/) tail = "closed"
+    if (tail != "opened" && tail && /^#endif/) tail = "closed"
 }
 
 /^[ \t]*#[ \t]*include/ {
@@ -122,7 +128,7 @@ END {
             complain(file " does not check the language")
         for (i = 1; i <= count; ++i) {
             target = list[i]
-            if (includes[file] ~ /\.ipp( |$)/ && target ~ /\/detail\// && target !~ /\/(decl|hidden|language)\.hpp$/)
+            if (includes[file] ~ /\.ipp( |$)/ && target ~ /^rollbem\/[a-z_]+\/detail\// && target !~ /\/(contact_row|plane_lambda)\.hpp$/)
                 complain(file " shows what is internal: " target)
             if (target ~ /^rollbem\//) {
                 if (!(target in known)) complain(file " includes " target ", which does not exist")
@@ -141,10 +147,9 @@ END {
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
         if (from == "umbrella")
-            forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
-        if (from == "compiled")
+            forbid(file, "^(gsl|rollbem/reference)/", "the umbrella needs GSL")
+        if (file ~ /\.hpp$/ && file !~ /\/detail\// && (file in externs))
             require(file, "rollbem/detail/decl.hpp", "does not refer to the alignment of rollbem::compiled")
-        if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/(transient|friction\/model)\.hpp$/)
             forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }

@@ -1,24 +1,7 @@
 # rollbem::compiled: bodies of headers, and the library's largest templates for double, compiled once. Optional: the
 # headers suffice. A program that links it defines ROLLBEM_COMPILED and includes the same headers: those that end with
 # impl/NAME.ipp then leave their bodies to the library, cmake/units/*.cpp.
-# The templates of other headers are compiled for a program that includes rollbem/compiled/*.hpp in their place. Each of
-# these headers lists templates as `extern template ...;`; its source, made here, is the same list without `extern`.
-# compile_header(name) makes compiled/name.cpp of it and sets name_source.
-function(compile_header name)
-    set(header "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/${name}.hpp")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
-    file(READ "${header}" list)
-    string(FIND "${list}" "\nnamespace " start)
-    string(SUBSTRING "${list}" ${start} -1 list)
-    string(REPLACE "extern template" "template" list "${list}")
-    set(text "#include <rollbem/compiled/${name}.hpp>\n${list}")
-    set(source "${PROJECT_BINARY_DIR}/compiled/${name}.cpp")
-    file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
-    set(${name}_source "${source}" PARENT_SCOPE)
-endfunction()
-foreach(name IN ITEMS steady adhesion stability friction patch studies)
-    compile_header(${name})
-endforeach()
+# What stays a template, impl/NAME.tpp, is instantiated there for double, and declared so at the ends of its headers.
 
 # The linker names the version that a unit was compiled for, see decl.hpp.
 set(decl "${PROJECT_SOURCE_DIR}/include/rollbem/detail/decl.hpp")
@@ -29,10 +12,10 @@ endif()
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
 set(units "${PROJECT_SOURCE_DIR}/cmake/units")
-add_library(rollbem_compiled_steady OBJECT "${steady_source}" "${units}/alignment.cpp")
+add_library(rollbem_compiled_steady OBJECT "${units}/alignment.cpp" "${units}/steady.cpp")
 add_library(rollbem_compiled STATIC
-    "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${studies_source}"
-    "${units}/contacts.cpp" "${units}/friction.cpp" "${units}/making.cpp" "${units}/tables.cpp" "${units}/wheelset.cpp"
+    "${units}/adhesion.cpp" "${units}/contacts.cpp" "${units}/friction.cpp" "${units}/loads.cpp" "${units}/making.cpp"
+    "${units}/patch.cpp" "${units}/tables.cpp" "${units}/wheelset.cpp"
     $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)

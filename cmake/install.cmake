@@ -10,6 +10,8 @@ set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/rollbem")
 
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING
     PATTERN "*.h" PATTERN "*.hpp" PATTERN "*.ipp" PATTERN "*.tpp")
+# The units of rollbem::compiled, for projects that compile them with flags of their own.
+install(DIRECTORY cmake/units DESTINATION "${CMAKE_INSTALL_DATADIR}/rollbem" FILES_MATCHING PATTERN "*.cpp")
 # The tables of creep forces of steel, and of the contact geometry of S1002 on 60E1.
 install(FILES apps/creep/steel.creep apps/creep/s1002_60e1.contact
     DESTINATION "${CMAKE_INSTALL_DATADIR}/rollbem")

@@ -8,11 +8,9 @@ shift
 build=${BUILD:-build}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cp -r include "$folder"
-sed -i -e '/^extern template/{' -e ':whole' -e '/;$/!{' -e N -e 'b whole' -e '}' -e d -e '}' "$folder"/include/rollbem/compiled/*.hpp
 set -- "$folder/test" "$@"
 # shellcheck disable=SC2046 # one word per option
-"${CXX:-c++}" -std=c++20 -O1 "-I$folder/include" -Itests -Iapps "-I$build/generated" \
+"${CXX:-c++}" -std=c++20 -O1 -Iinclude -Itests -Iapps "-I$build/generated" \
     $(pkg-config --cflags eigen3) "-DROLLBEM_MANCHESTER=\"$PWD/bench/manchester\"" \
     "-DROLLBEM_STEEL_CREEP=\"$PWD/apps/creep/steel.creep\"" \
     "-DROLLBEM_S1002_CONTACT=\"$PWD/apps/creep/s1002_60e1.contact\"" "$file" -o "$folder/test" \

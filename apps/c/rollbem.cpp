@@ -15,18 +15,22 @@
 #include <Eigen/Core>
 #include <rollbem.h>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/detail/require.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/normal/profile.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
-#include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/profile_file.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
@@ -88,8 +92,8 @@ auto made(const char* function, std::initializer_list<Given> arguments, const Ma
 
 /// Writes numbers in a row, and returns the place behind them.
 double* put(double* to, std::initializer_list<double> values) { return std::copy(values.begin(), values.end(), to); }
-double* put(double* to, const TangentialForce<double>& of) { return put(to, {of.longitudinal, of.lateral, of.moment}); }
-double* put(double* to, const CreepageTangent<double>& of) {
+double* put(double* to, const TangentialForce& of) { return put(to, {of.longitudinal, of.lateral, of.moment}); }
+double* put(double* to, const CreepageTangent& of) {
     return put(put(put(to, of.by_longitudinal), of.by_lateral), of.by_spin);
 }
 
@@ -97,7 +101,7 @@ std::filesystem::path path_of(const char* utf8) {
     return std::u8string(utf8, utf8 + std::char_traits<char>::length(utf8));
 }
 
-Creepage<double> creepage_from(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+Creepage creepage_from(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 }  // namespace
 
@@ -113,7 +117,7 @@ struct rollbem_contact_table {
 struct rollbem_patch {
     using Model = FrictionModel;
 
-    rollbem_patch(const PatchContact<double>& contact, double mu, double load, const PatchMesh<double>& mesh)
+    rollbem_patch(const PatchContact& contact, double mu, double load, const PatchMesh<double>& mesh)
         : load_(load),
           a_(contact.half_length()),
           b_(contact.half_width()),
@@ -161,7 +165,7 @@ struct rollbem_patch {
     Eigen::ArrayXd pressure_;
     Model model_;
     Run<Model> run_;
-    NormalLoad<double> under_;
+    NormalLoad under_;
 };
 
 struct rollbem_wheel {
@@ -205,8 +209,8 @@ void rollbem_table_close(rollbem_table* table) { delete table; }
 
 /// The forces of one contact in `found`, and the code.
 static int look_up(const char* who, const CreepForceTable& table, const double* contact, TabulatedForce& found) {
-    found = table.look_up(PatchContact<double>({contact[0], contact[1], contact[2], contact[3]}), contact[4],
-                          contact[5], creepage_from(contact + 6));
+    found = table.look_up(PatchContact({contact[0], contact[1], contact[2], contact[3]}), contact[4], contact[5],
+                          creepage_from(contact + 6));
     if (found.status != Status::ok || found.a_over_b_on_table) return outcome(who, found.status);
     const CreepForceGrid& grid = table.grid();
     return failed(std::string(who) + ": a/b = " + detail::to_text(contact[0] / contact[1]) +
@@ -372,12 +376,12 @@ int rollbem_contact_table_on_rails(const rollbem_contact_table* table, double la
 
 int rollbem_hertz(double load, const double radii[4], double angle, const double bodies[4], double result[5]) {
     return call(__func__, {{"radii", radii}, {"bodies", bodies}, {"result", result}}, [&](const char*) {
-        const HertzEllipse<double> ellipse({.load = load,
-                                            .radii_1 = {radii[0], radii[1]},
-                                            .radii_2 = {radii[2], radii[3]},
-                                            .angle = angle,
-                                            .body_1 = {bodies[0], bodies[1]},
-                                            .body_2 = {bodies[2], bodies[3]}});
+        const HertzEllipse ellipse({.load = load,
+                                    .radii_1 = {radii[0], radii[1]},
+                                    .radii_2 = {radii[2], radii[3]},
+                                    .angle = angle,
+                                    .body_1 = {bodies[0], bodies[1]},
+                                    .body_2 = {bodies[2], bodies[3]}});
         put(result,
             {ellipse.half_length(), ellipse.half_width(), ellipse.approach(), ellipse.peak_pressure(), ellipse.turn()});
     });
@@ -385,7 +389,7 @@ int rollbem_hertz(double load, const double radii[4], double angle, const double
 
 int rollbem_kalker(double a_over_b, double poisson_ratio, int n, double coefficients[5]) {
     return call(__func__, {{"coefficients", coefficients}}, [&](const char* who) {
-        const PatchContact<double> contact({a_over_b, 1, 1, poisson_ratio});
+        const PatchContact contact({a_over_b, 1, 1, poisson_ratio});
         const auto steady = solve_steady(contact, patch_mesh(contact, n, n), rollbem_patch::scheme);
         const CreepCoefficients<double> c = creep_coefficients(contact, steady);
         const auto confirmed = [&](Eigen::Index i, Eigen::Index j, double value) {
@@ -402,7 +406,7 @@ int rollbem_kalker(double a_over_b, double poisson_ratio, int n, double coeffici
 rollbem_patch* rollbem_patch_new(double half_length, double half_width, double shear_modulus, double poisson_ratio,
                                  double friction_coefficient, double load, int elements, int strips) {
     return made(__func__, {}, [&](const char*) {
-        const PatchContact<double> contact({half_length, half_width, shear_modulus, poisson_ratio});
+        const PatchContact contact({half_length, half_width, shear_modulus, poisson_ratio});
         return std::make_unique<rollbem_patch>(contact, friction_coefficient, load,
                                                patch_mesh(contact, elements, strips));
     });
@@ -426,8 +430,8 @@ int rollbem_patch_steady(rollbem_patch* patch, const double creepage[3], double 
         // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi); M_z has a further N^(1/3)
         const auto solve = [&](const auto& under) {
             FrictionStep step = patch->run_.try_steady({.motion = creepage_from(creepage), .load = under});
-            const TangentialForce<double>& f = step.force;
-            step.tangent_by_load = 1 / load * TangentialForce<double>{f.longitudinal, f.lateral, 4 * f.moment / 3} +
+            const TangentialForce& f = step.force;
+            step.tangent_by_load = 1 / load * TangentialForce{f.longitudinal, f.lateral, 4 * f.moment / 3} +
                                    -creepage[0] / (3 * load) * step.tangent.by_longitudinal +
                                    -creepage[1] / (3 * load) * step.tangent.by_lateral;
             step.tangent_by_half_length = {0, 0, 0};

@@ -255,7 +255,7 @@ void add_options(study::Options& options) {
         "creep",
         "file of the creep-force table with which the contact table will be used; default: steel.creep, for steel");
     options.add("check", "N",
-                "number of random scenes [dimensionless], 1 to 1000000, in which the given table is compared with "
+                "number of random cases [dimensionless], 1 to 1000000, in which the given table is compared with "
                 "patches, in place of making one");
     options.add("scan", "SHIFT_MAX,STEP",
                 "largest shift and its step [m], over which, over yaw and load the given table is compared with "
@@ -269,7 +269,7 @@ void add_options(study::Options& options) {
     options.refuse("no-timing", "rows have no times");
     options.set_help("output",
                      "file of the contact table, which is no CSV; with --shard and --scan CSV file of the rows, with "
-                     "FILE.toml beside it, standard output without it");
+                     "FILE.toml next to it, standard output without it");
     options.set_help("jobs", "number of threads [dimensionless], 1 to 1024");
     options.add_input("rows",
                       "CSV file of the rows, the parts of --shard one after the other, made with the same version and "

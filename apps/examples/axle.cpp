@@ -37,16 +37,16 @@ struct Axle {
     double damping = 200;                          // c [N m s/rad]
     double friction = 0.3;                         // mu
     double half_width = 12e-3;                     // b [m]
-    rollbem::ElasticBody<double> steel{2.1e11, 0.28};
+    rollbem::ElasticBody steel{2.1e11, 0.28};
 
     double creepage(std::size_t i, double speed, double rotation) const { return 1 - radius[i] * rotation / speed; }
 
     Model contact(std::size_t i, Eigen::Index n) const {
-        const rollbem::HertzLine<double> hertz({.load_per_width = load[i] / (2 * half_width),
-                                                .combined_radius = radius[i],
-                                                .body_1 = steel,
-                                                .body_2 = steel});
-        const rollbem::Contact<double> contact = hertz.contact(half_width);
+        const rollbem::HertzLine hertz({.load_per_width = load[i] / (2 * half_width),
+                                        .combined_radius = radius[i],
+                                        .body_1 = steel,
+                                        .body_2 = steel});
+        const rollbem::Contact contact = hertz.contact(half_width);
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
         const auto system = rollbem::rolling_system(mesh, rollbem::NodeDifference{rollbem::Nodes::chebyshev},
                                                     rollbem::PlaneKernel<double>::longitudinal(contact));

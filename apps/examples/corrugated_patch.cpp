@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rollbem.hpp>
 
 namespace {
@@ -19,21 +19,21 @@ using namespace rollbem;
 
 constexpr double mean_load = 8e4, wave = 50e-3, modulus = 2.1e11, poisson = 0.28;  // [N], [m], [Pa], [-]
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Creepage<double> creepage{1e-3, 5e-4, 0.15};  // spin [1/m]
+constexpr Creepage creepage{1e-3, 5e-4, 0.15};  // spin [1/m]
 
 /// The share of the heat that the work of the forces does not account for, with n x n elements; infinite if a step
 /// fails.
 double ride(Eigen::Index n, int steps_per_wave) {
     // 1. The ellipse under the mean load, and a system that breathes: a/b stays
-    const ElasticBody<double> steel{modulus, poisson};
-    const HertzEllipse<double> ellipse(
+    const ElasticBody steel{modulus, poisson};
+    const HertzEllipse ellipse(
         {.load = mean_load, .radii_1 = {0.46, infinite}, .radii_2 = {infinite, 0.3}, .body_1 = steel, .body_2 = steel});
-    const PatchContact<double> contact = ellipse.contact();
+    const PatchContact contact = ellipse.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, n, n);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(poisson);
-    const auto hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
-    NormalLoad<double> load = hertz.at(mean_load);
+    const auto hertz = HertzPatchLoad::breathing(ellipse, contact, mesh);
+    NormalLoad load = hertz.at(mean_load);
     const FrictionModel model(contact, breathing_system(contact, mesh, scheme, kernel),
                               judge_stability(patch_subsystems(mesh, scheme, kernel)), {0.3, load.normal_pressure});
 

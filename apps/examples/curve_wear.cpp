@@ -19,7 +19,7 @@
 
 #include <Eigen/Dense>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -94,13 +94,6 @@ private:
     Eigen::Matrix3d tangent_;
 };
 
-/// Archard's coefficient [-] by the map of KTH (Jendel, Wear 253 (2002) 86-99, the middle of its ranges), over the
-/// pressure and the sliding speed [m/s]: seizure, mild, severe, mild wear.
-double archard_coefficient(double pressure, double slides) {
-    if (pressure > 0.8 * hardness) return 350e-4;
-    return slides < 0.2 || slides > 0.7 ? 5e-4 : 35e-4;
-}
-
 /// The volume worn off a rail per metre rolled, over the strips of a wheel's points [m^3/m]: k p s/H of each element,
 /// under the pressure of its ellipse, the coefficient by the peak of its zone.
 PatchForce archard_wear(const WheelForces::Point& point, const CreepForceTable& creep) {
@@ -112,7 +105,7 @@ PatchForce archard_wear(const WheelForces::Point& point, const CreepForceTable& 
     theory.fastsim(point.creepage, [&](const SimplifiedElement& element) {
         const double x = element.x / a, y = element.y / b, rest = 1 - x * x - y * y,
                      shape = rest > 0 ? std::sqrt(rest) : 0, slip = std::hypot(element.slip[0], element.slip[1]);
-        const double k = archard_coefficient(shape * point.peak_pressure, slip * speed);
+        const double k = archard_coefficient(shape * point.peak_pressure, slip * speed, hardness);
         worn.strip_work[element.strip] += k * shape * peak * slip * element.area / hardness;
     });
     return worn;

@@ -5,7 +5,7 @@
 
 int main() {
     using namespace rollbem;
-    const Contact<double> contact(  // b >> a
+    const Contact contact(  // b >> a
         {.half_length = 5e-3, .half_width = 5.0, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     const auto kernel = StripKernel<double>::longitudinal(contact);
     for (const int n : {10, 40, 160}) {

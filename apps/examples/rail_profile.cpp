@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rollbem.hpp>
 
 namespace {
@@ -18,32 +18,32 @@ constexpr double modulus = 2.1e11, poisson = 0.28, load = 8e4;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The ellipse after a part of the change, 0 ... 1: the radius of the head falls from 1.3 m to 0.16 m.
-HertzEllipse<double> ellipse(double part) {
-    const ElasticBody<double> steel{modulus, poisson};
-    return HertzEllipse<double>({.load = load,
-                                 .radii_1 = {0.46, infinite},
-                                 .radii_2 = {infinite, 1.3 * std::pow(0.16 / 1.3, part)},
-                                 .body_1 = steel,
-                                 .body_2 = steel});
+HertzEllipse ellipse(double part) {
+    const ElasticBody steel{modulus, poisson};
+    return HertzEllipse({.load = load,
+                         .radii_1 = {0.46, infinite},
+                         .radii_2 = {infinite, 1.3 * std::pow(0.16 / 1.3, part)},
+                         .body_1 = steel,
+                         .body_2 = steel});
 }
 
 }  // namespace
 
 int main() {
     // 1. A model that starts as the first ellipse
-    const HertzEllipse<double> first = ellipse(0), last = ellipse(1);
-    const PatchContact<double> contact = first.contact();
+    const HertzEllipse first = ellipse(0), last = ellipse(1);
+    const PatchContact contact = first.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
     const PatchShapes<double> shapes(8, 8, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson),
                                      {.least = 0.45, .largest = 2.2, .factor = 1.5});
-    const auto hertz = HertzPatchLoad<double>::breathing(first, contact, mesh);
-    NormalLoad<double> normal = hertz.at(load);
+    const auto hertz = HertzPatchLoad::breathing(first, contact, mesh);
+    NormalLoad normal = hertz.at(load);
     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes),
                               {0.3, normal.normal_pressure});
     Run run(model);
 
     // 2. From steady rolling over the change of profile, and on
-    constexpr Creepage<double> creepage{5e-4, 5e-4, 0.15};  // spin [1/m]
+    constexpr Creepage creepage{5e-4, 5e-4, 0.15};  // spin [1/m]
     FrictionStep step = run.steady({.motion = creepage});
     std::printf("q/a   a/b      F_x N      F_y N    M_z N m\n");
     for (int k = 0; k <= 400; ++k) {

@@ -15,9 +15,16 @@
 
 #include <Eigen/QR>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 // Simbody's headers are C++17. For C++20 its indices need an operator== that is better than theirs with the operands
 // swapped, and a header without use here, which has vectors of incomplete types, must be left out.
@@ -99,7 +106,7 @@ struct RailForce final : SimTK::Force::Custom::Implementation {
 
 /// s of the closed loop m dV/dt = F - D, J d(omega)/dt = T - R F in V/a: the root of s + kappa c11(s), by the secant
 /// method, started at the root for c11 = C/(1 + (Lambda - 1/2) s).
-Complex exact_root(const rollbem::Contact<double>& contact) {
+Complex exact_root(const rollbem::Contact& contact) {
     const double a = contact.half_length(), poisson_ratio = contact.poisson_ratio(), aspect = contact.aspect();
     const double kappa = 2 * a * a * contact.half_width() * contact.shear_modulus() *
                          (1 / mass + radius * radius / inertia) / (speed * speed);
@@ -128,7 +135,7 @@ Complex fit(const Eigen::VectorXd& x) {
 
 int main() {
     using namespace SimTK;
-    const rollbem::Contact<double> contact(
+    const rollbem::Contact contact(
         {.half_length = 6e-3, .half_width = 12e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const Complex exact = exact_root(contact) * speed / contact.half_length();  // [1/s]
     const double interval = 2 * std::numbers::pi / std::abs(exact.imag()) / samples;

@@ -20,24 +20,23 @@ constexpr double nu = 0.28;
 const NodeDifference scheme{Nodes::chebyshev};
 
 /// |F| = |L| - |L|^2/3 + |L|^3/27 in the direction of Kalker's force L, in mu N, as long as |L| < 3.
-TangentialForce<double> saturated(double x, double y) {
+TangentialForce saturated(double x, double y) {
     const double size = std::hypot(x, y), reached = size < 3 ? size - size * size / 3 + std::pow(size, 3) / 27 : 1;
-    return size > 0 ? TangentialForce<double>{-x / size * reached, -y / size * reached, 0}
-                    : TangentialForce<double>{0, 0, 0};
+    return size > 0 ? TangentialForce{-x / size * reached, -y / size * reached, 0} : TangentialForce{0, 0, 0};
 }
 
 /// Units: mu N = G = a = 1; a creepage of 1 would need mu N without slip.
 class Ellipse {
 public:
     static constexpr const char* names[] = {"FASTSIM", "FASTSIM, elliptic bound", "FaStrip", "linear, saturated"};
-    using Forces = std::array<TangentialForce<double>, 5>;  // of the patch and of the theories
+    using Forces = std::array<TangentialForce, 5>;  // of the patch and of the theories
 
     Ellipse(double a_over_b, double tolerance)
-        : contact_(PatchContact<double>::dimensionless(a_over_b, nu)), mesh_(patch_of(tolerance)), model_(friction()) {}
+        : contact_(PatchContact::dimensionless(a_over_b, nu)), mesh_(patch_of(tolerance)), model_(friction()) {}
 
     Forces forces(double x, double y, double spin) {
         const double b = contact_.half_width(), c = contact_.c();
-        const Creepage<double> at{x / (b * kalker_.c11), y / (b * kalker_.c22), spin / (b * c * kalker_.c23)};
+        const Creepage at{x / (b * kalker_.c11), y / (b * kalker_.c22), spin / (b * c * kalker_.c23)};
         const FrictionStep step = model_.steady(model_.at_rest(), {.motion = at}, state_, workspace_);
         if (step.status != Status::ok) std::exit(EXIT_FAILURE);
         constexpr int n = 40;
@@ -57,7 +56,7 @@ private:
                 {1.0, hertz_pressures(contact_, mesh_, 1.0)}};
     }
 
-    PatchContact<double> contact_;
+    PatchContact contact_;
     PatchMesh<double> mesh_;
     CreepCoefficients<double> kalker_ =
         creep_coefficients(contact_, solve_steady(contact_, patch_mesh(contact_, 16, 16), scheme));
@@ -66,7 +65,7 @@ private:
     FrictionWorkspace workspace_ = model_.workspace();
 };
 
-double difference(const TangentialForce<double>& one, const TangentialForce<double>& other) {
+double difference(const TangentialForce& one, const TangentialForce& other) {
     return std::max(std::abs(one.longitudinal - other.longitudinal), std::abs(one.lateral - other.lateral));
 }
 

@@ -37,14 +37,14 @@ constexpr double wheel_inertia = 100, motor_inertia = 500;                   // 
 constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
 constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
 constexpr rollbem::FrictionMemory memory{.distance = 10e-6, .least_velocity = 1e-3};
-constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
+constexpr rollbem::ElasticBody steel{2.1e11, 0.28};
 
 double creepage(double rotation) { return 1 - radius * rotation / speed; }
 
 Model contact_model(Eigen::Index n) {
-    const rollbem::HertzLine<double> hertz(
+    const rollbem::HertzLine hertz(
         {.load_per_width = load / (2 * half_width), .combined_radius = radius, .body_1 = steel, .body_2 = steel});
-    const rollbem::Contact<double> contact = hertz.contact(half_width);
+    const rollbem::Contact contact = hertz.contact(half_width);
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
     const auto system = rollbem::rolling_system(mesh, rollbem::NodeDifference{rollbem::Nodes::chebyshev},
                                                 rollbem::PlaneKernel<double>::longitudinal(contact));
@@ -147,8 +147,8 @@ int main() {
     const Model model = contact_model(20);
     rollbem::Run contact(model);
     const double slip = 0.3, a = contact.now().half_length, dq = 0.1 * a;
-    const rollbem::Creepage<double> creeping{-slip / speed};
-    Model::Step step = contact.steady({rollbem::Travel<>::at_speed(speed), creeping});
+    const rollbem::Creepage creeping{-slip / speed};
+    Model::Step step = contact.steady({rollbem::Travel::at_speed(speed), creeping});
     const double slope = -step.tangent.by_longitudinal.longitudinal / speed, limit = least_damping(slope);
     for (int k = 0; k < 200 && step.status == rollbem::Status::ok; ++k) {  // steady rolling in steps of this length
         step = contact.advance({{dq, dq / speed}, creeping});

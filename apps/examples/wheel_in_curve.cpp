@@ -30,7 +30,7 @@ double contact_angle(double shift) { return 0.05 + shift / (tread - head); }
 
 /// Creepages of the outer wheel. A larger rolling radius drives it on; the longer way round the curve takes it back. A
 /// wheel on a cone of the contact angle turns about the normal.
-Creepage<double> creepages(double shift) {
+Creepage creepages(double shift) {
     const double larger_radius = shift * (0.05 + shift / (tread - head) / 2);
     const double angle = contact_angle(shift);
     return {.longitudinal = gauge / 2 / curve - larger_radius / radius,
@@ -41,18 +41,18 @@ Creepage<double> creepages(double shift) {
 }  // namespace
 
 int main() {
-    const ElasticBody<double> steel{modulus, poisson};
+    const ElasticBody steel{modulus, poisson};
     std::printf("shift mm  a mm  b mm  spin 1/m      F_x N      F_y N    M_z N m   of mu N\n");
     bool right = true;
     for (int step = 0; step <= 6; ++step) {
         const double shift = 1e-3 * step;
         // 1. Hertz's ellipse; the plane of the wheel's rolling is tilted by the contact angle
-        const HertzEllipse<double> hertz({.load = load,
-                                          .radii_1 = {radius / std::cos(contact_angle(shift)), -tread},
-                                          .radii_2 = {infinite, head},
-                                          .body_1 = steel,
-                                          .body_2 = steel});
-        const PatchContact<double> contact = hertz.contact();
+        const HertzEllipse hertz({.load = load,
+                                  .radii_1 = {radius / std::cos(contact_angle(shift)), -tread},
+                                  .radii_2 = {infinite, head},
+                                  .body_1 = steel,
+                                  .body_2 = steel});
+        const PatchContact contact = hertz.contact();
         // 2. Stick and slip in steady rolling
         const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
         const FrictionModel model(contact,
@@ -61,7 +61,7 @@ int main() {
         auto workspace = model.workspace();
         const auto rest = model.at_rest();
         auto state = rest;
-        const Creepage<double> creepage = creepages(shift);
+        const Creepage creepage = creepages(shift);
         const FrictionStep outer = model.steady(rest, {.motion = creepage}, state, workspace);
         const double share = std::hypot(outer.force.longitudinal, outer.force.lateral) / (mu * load);
         std::printf("%8.1f %5.2f %5.2f %9.3f %10.0f %10.0f %10.1f %9.2f\n", 1e3 * shift, 1e3 * hertz.half_length(),

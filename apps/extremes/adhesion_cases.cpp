@@ -9,15 +9,21 @@
 
 #include <Eigen/LU>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/closed_form/detail/plane_lambda.hpp>
 #include <rollbem/detail/in_place_lu.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 #include "support/runs.hpp"
@@ -38,8 +44,7 @@ const std::string on_cosine = "cosine:collocation:0.5/0.5", on_uniform = "unifor
 /// A scheme with n elements or states on a line of unit modulus and half-length.
 Scene scene(const std::string& scheme, Eigen::Index n, double aspect = infinity, double nu = steel,
             LineModel model = LineModel::strip) {
-    return study::make_scene(study::scheme_named(scheme), n, rollbem::Contact<double>::dimensionless(aspect, nu),
-                             model);
+    return study::make_scene(study::scheme_named(scheme), n, rollbem::Contact::dimensionless(aspect, nu), model);
 }
 Scene states(Eigen::Index n, double aspect, double nu = steel, LineModel model = LineModel::strip) {
     return scene("chebyshev", n, aspect, nu, model);
@@ -61,8 +66,7 @@ enum class Against { exact, spectral, elements, long_double };
 Complex in_long_double(const Scene& s, double z) {
     using Real = long double;
     const auto mesh = rollbem::make_mesh<Real>(s.topology(), s.n(), s.grading.value_or(1));
-    const auto kernel = rollbem::AnyKernel<Real>::longitudinal(
-        s.kernel.model(), rollbem::Contact<Real>::dimensionless(s.contact.aspect(), s.contact.poisson_ratio()));
+    const auto kernel = rollbem::AnyKernel<Real>::longitudinal(s.kernel.model(), s.contact);
     const auto& scheme = *s.scheme.get_if<rollbem::Collocation>();
     rollbem::MatrixX<Real> A = rollbem::assemble_G_prime(mesh, scheme, kernel);
     const Eigen::Index n = mesh.size(), size = z == 0 ? n : 2 * n;
@@ -108,7 +112,7 @@ Outcome compared(const Scene& s, double z, Against against, double bound, bool b
     };
     if (s.chebyshev && z == 0) return outcome(solve_steady(*s.chebyshev, s.kernel), exact.c11.real());
     if (z == 0) return outcome(rollbem::solve_steady(*s.mesh, s.scheme, s.kernel), exact.c11.real());
-    if (by_sweep) return outcome(rollbem::FrequencySweep<double>(system_of(s))(z), exact.c11);
+    if (by_sweep) return outcome(rollbem::FrequencySweep(system_of(s))(z), exact.c11);
     const auto system = s.chebyshev ? rollbem::RollingSystem<double>(rolling_system(*s.chebyshev, s.kernel))
                                     : rollbem::RollingSystem<double>(system_of(s));
     return outcome(rollbem::solve_response<double>(system, {0, z}), exact.c11);
@@ -218,8 +222,8 @@ void add_eigenvalues(Cases& cases) {
             cases.add("alpha_T = " + alpha_T + ", n = 60, b/a = " + shown(aspect),
                       "1 + unstable modes, counted, against QZ", [=] {
                           const auto system = system_of(scene("uniform:collocation:0/" + alpha_T, 60, aspect));
-                          const auto all = rollbem::solve_stability<double>(system);
-                          const auto count = rollbem::count_unstable<double>(system);
+                          const auto all = rollbem::solve_stability(system);
+                          const auto count = rollbem::count_unstable(system);
                           return compare(1.0 + double(count.unstable_count), 1.0 + double(all.unstable_count), rounding,
                                          told_by(std::max(all.status, count.status)));
                       });
@@ -230,12 +234,12 @@ void add_eigenvalues(Cases& cases) {
 // --- the time domain
 
 /// A model of the scheme cosine 0.5/0.5 with the strip kernel, judged by its eigenvalues.
-rollbem::AdhesionModel<> stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
+rollbem::AdhesionModel<> stable_model(const rollbem::Contact& contact, Integrator integrator) {
     const rollbem::ElementSystem<double> system = system_of(scene(on_cosine, 40, contact.aspect()));
-    return {contact, system, rollbem::judge_stability<double>(system), integrator};
+    return {contact, system, rollbem::judge_stability(system), integrator};
 }
 rollbem::AdhesionModel<> stable_model(double aspect, Integrator integrator) {
-    return stable_model(rollbem::Contact<double>::dimensionless(aspect, steel), integrator);
+    return stable_model(rollbem::Contact::dimensionless(aspect, steel), integrator);
 }
 
 void add_steps(Cases& cases) {
@@ -272,7 +276,7 @@ void add_steps(Cases& cases) {
     // a wheel of a = 0.1 mm in steps of 10 microseconds
     for (const double speed : {0.01, 1.0, 150.0}) {
         cases.add("a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
-            const rollbem::Contact<double> si(
+            const rollbem::Contact si(
                 {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
             const double dq = speed * 1e-5;
             const Outcome unit = rolled(stable_model(10, Integrator::sdirk2), dq / 1e-4, 20, 1, 1);

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/estimated_c11.hpp>
+#include <rollbem/closed_form/detail/estimated_c11.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/scene/contact.hpp>

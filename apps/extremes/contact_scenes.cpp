@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "cases.hpp"

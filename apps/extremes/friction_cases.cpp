@@ -2,15 +2,19 @@
 // falling friction, loads that vary.
 #include <string>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 
@@ -31,7 +35,7 @@ struct Line {
     rollbem::AnyScheme scheme = equal;
     double layer = 0;
 
-    rollbem::Contact<double> contact() const { return rollbem::Contact<double>::dimensionless(infinity, nu); }
+    rollbem::Contact contact() const { return rollbem::Contact::dimensionless(infinity, nu); }
 
     /// G' of a direction, with the layer if there is one.
     Eigen::MatrixXd slopes(bool lateral) const {
@@ -66,7 +70,7 @@ struct Line {
         const rollbem::FrictionModel model(contact(), rollbem::ElementSystem<double>({}, slopes(false), mesh.widths()),
                                            rollbem::unchecked, rollbem::Friction{fall, law().normal_pressure});
         auto step =
-            rollbem::Run(model).steady({rollbem::Travel<>::at_speed(1.0), rollbem::Creepage{creepage(delta, nu)}});
+            rollbem::Run(model).steady({rollbem::Travel::at_speed(1.0), rollbem::Creepage{creepage(delta, nu)}});
         step.force.longitudinal /= -full_force;
         return step;
     }
@@ -245,21 +249,21 @@ public:
 private:
     using Model = rollbem::FrictionModel;
 
-    HertzLoad<double> make_hertz(const Mesh<double>& mesh, double covered) const {
-        const auto line = rollbem::HertzLine<double>::dimensionless(full_ / (pi / 2));
-        return covered > 0 ? HertzLoad<double>::fixed(line, mesh, covered) : HertzLoad<double>::breathing(line, mesh);
+    HertzLoad make_hertz(const Mesh<double>& mesh, double covered) const {
+        const auto line = rollbem::HertzLine::dimensionless(full_ / (pi / 2));
+        return covered > 0 ? HertzLoad::fixed(line, mesh, covered) : HertzLoad::breathing(line, mesh);
     }
     Model make_model(const Mesh<double>& mesh, double covered, double mu) const {
-        const rollbem::Contact<double> contact({.half_length = covered > 0 ? covered : 1,
-                                                .half_width = half_width,
-                                                .shear_modulus = 1,
-                                                .poisson_ratio = steel});
+        const rollbem::Contact contact({.half_length = covered > 0 ? covered : 1,
+                                        .half_width = half_width,
+                                        .shear_modulus = 1,
+                                        .poisson_ratio = steel});
         return {contact,
                 rollbem::rolling_system(mesh, equal, PlaneKernel<double>::longitudinal(contact)),
                 rollbem::unchecked,
                 {mu, load_.normal_pressure}};
     }
-    rollbem::Creepage<double> scaled(double ratio) const { return {creepage(ratio) * full_ / full_force}; }
+    rollbem::Creepage scaled(double ratio) const { return {creepage(ratio) * full_ / full_force}; }
     void keep(const Model::Step& step) {
         note(step.status);
         force_ = step.force.longitudinal;
@@ -267,8 +271,8 @@ private:
     }
 
     double full_;
-    HertzLoad<double> hertz_;
-    rollbem::NormalLoad<double> load_;
+    HertzLoad hertz_;
+    rollbem::NormalLoad load_;
     Model model_;
     rollbem::Run<Model> run_;
     double force_ = nothing, residual_ = nothing;
@@ -312,7 +316,7 @@ void add_lift_off(Cases& cases) {
 /// The outcome in full adhesion, against the same steps of Chebyshev states.
 Outcome grown_in_adhesion(const std::function<double(int)>& half_length) {
     Rolling rolling(rollbem::cosine_mesh(160), 0, 1e9);
-    const auto contact = rollbem::Contact<double>::dimensionless(half_width, steel);
+    const auto contact = rollbem::Contact::dimensionless(half_width, steel);
     const rollbem::AdhesionModel<> model(
         contact, rolling_system(rollbem::Chebyshev{48}, PlaneKernel<double>::longitudinal(contact)),
         rollbem::unchecked);

@@ -3,8 +3,14 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 
@@ -29,8 +35,7 @@ constexpr Entry c11{"c11", 0, 0, &rollbem::CreepCoefficients<double>::c11},
     c33{"c33", 2, 2, &rollbem::CreepCoefficients<double>::c33};
 
 /// The outcome of one coefficient, which can be used if other meshes confirm it, even if they do not confirm the rest.
-Outcome coefficient(const PatchContact<double>& contact, Index n, Index m, const Entry& c, double reference,
-                    double bound) {
+Outcome coefficient(const PatchContact& contact, Index n, Index m, const Entry& c, double reference, double bound) {
     const auto response = rollbem::solve_steady(contact, rollbem::patch_mesh(contact, n, m), chebyshev);
     Outcome outcome = compare(response, creep_coefficients(contact, response).*c.value, reference, bound);
     if (is_confirmed(response, c.i, c.j)) outcome.told.clear();
@@ -63,7 +68,7 @@ void add_ellipses(Cases& cases) {
                     kind + (" a/b = " + shown(a_over_b)) + ", nu = " + shown(nu),
                     entry.name + std::string(a_over_b < 1 ? " against a/b -> 0" : " against a/b -> inf"),
                     [=] {
-                        const auto contact = PatchContact<double>::dimensionless(a_over_b, nu);
+                        const auto contact = PatchContact::dimensionless(a_over_b, nu);
                         return coefficient(contact, n, m, entry, reference, bound);
                     },
                     says[k]);
@@ -84,21 +89,19 @@ void add_ellipses(Cases& cases) {
     // n and m apart, against the limit of small elements
     for (const auto& [n, m] : {std::pair{24, 8}, {8, 24}, {30, 15}}) {
         cases.add("patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m), "c11 against its limit",
-                  [n = n, m = m] {
-                      return coefficient(PatchContact<double>::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3);
-                  });
+                  [n = n, m = m] { return coefficient(PatchContact::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3); });
     }
     // c32 and -c23 are the same in the limit of small elements
     for (const double a_over_b : {0.02, 1.0, 20.0}) {
         cases.add("patch a/b = " + shown(a_over_b) + ", nu = 0.28", "c32 against -c23", [=] {
-            const auto contact = PatchContact<double>::dimensionless(a_over_b, steel);
+            const auto contact = PatchContact::dimensionless(a_over_b, steel);
             const double other = coefficient(contact, 24, 12, c23, 1, 0).value;
             return coefficient(contact, 24, 12, c32, -other, 3e-2);
         });
     }
     cases.add(
         "patch a/b = 9.99989e-321", "c11",
-        [] { return coefficient(PatchContact<double>::dimensionless(1e-320, steel), 4, 4, c11, 1, 0); },
+        [] { return coefficient(PatchContact::dimensionless(1e-320, steel), 4, 4, c11, 1, 0); },
         "must be positive and finite");
 }
 
@@ -112,7 +115,7 @@ void add_outlines(Cases& cases) {
                 return ArrayX<double>(Eigen::Map<const ArrayX<double>>(from.data(), Index(from.size())));
             };
             const auto outlined = [&](const ArrayX<double>& behind, const ArrayX<double>& ahead) {
-                return PatchContact<double>(rollbem::Outline<double>(array(y), behind, ahead), 1, steel);
+                return PatchContact(rollbem::Outline(array(y), behind, ahead), 1, steel);
             };
             const Outcome other = coefficient(outlined(-array(leading), -array(trailing)), 16, 16, c11, 1, 0);
             return coefficient(outlined(array(trailing), array(leading)), 16, 16, c11, other.value, bound);

@@ -8,10 +8,16 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 #include "drawn.hpp"
@@ -20,8 +26,8 @@ namespace extremes {
 
 namespace {
 
-using Axes = rollbem::SemiAxes<double>;
-using Creepage = rollbem::Creepage<double>;
+using Axes = rollbem::SemiAxes;
+using Creepage = rollbem::Creepage;
 using Eigen::MatrixXd, Eigen::VectorXd;
 using State = rollbem::FrictionState;
 
@@ -94,7 +100,7 @@ class RollingPatch {
 public:
     explicit RollingPatch(const PatchScene& scene)
         : scene_(scene),
-          contact_(rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu)),
+          contact_(rollbem::PatchContact::dimensionless(scene.a_over_b, scene.nu)),
           mesh_(rollbem::patch_mesh(contact_, rollbem::cosine_mesh(scene.n), across())),
           shapes_(make_shapes()),
           system_(make_system()),
@@ -148,9 +154,9 @@ private:
                                               unit.outputs() * Eigen::Vector3d(a * a, a * a, a * a * a).asDiagonal());
     }
 
-    rollbem::NormalLoad<double> load_of(double load, const Axes& axes) const {
+    rollbem::NormalLoad load_of(double load, const Axes& axes) const {
         const double area = axes.half_length * axes.half_width / contact_.half_width();
-        return rollbem::NormalLoad<double>{load / area * pressure_, axes.half_length, {}, axes.half_width};
+        return rollbem::NormalLoad{load / area * pressure_, axes.half_length, {}, axes.half_width};
     }
 
     VectorXd stacked(const State& state) const {
@@ -224,7 +230,7 @@ private:
     using Model = rollbem::FrictionModel;
 
     const PatchScene& scene_;
-    rollbem::PatchContact<double> contact_;
+    rollbem::PatchContact contact_;
     rollbem::PatchMesh<double> mesh_;
     std::optional<rollbem::PatchShapes<double>> shapes_;
     rollbem::ElementSystem<double, 2> system_;

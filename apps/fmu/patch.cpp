@@ -13,17 +13,15 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/accuracy/distance_tangent.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
@@ -63,7 +61,7 @@ struct Past {
     Values at = Values::Zero();
 
     double distance() const { return duration * at[speed]; }
-    Creepage<double> shift() const { return {duration * at[along], duration * at[across], duration * at[spin]}; }
+    Creepage shift() const { return {duration * at[along], duration * at[across], duration * at[spin]}; }
 };
 
 class Patch final : public Model {
@@ -156,8 +154,8 @@ public:
     }
 
 private:
-    using Force = TangentialForce<double>;
-    using Hertz = HertzPatchLoad<double>;
+    using Force = TangentialForce;
+    using Hertz = HertzPatchLoad;
     using Friction = FrictionModel;
     using Step = FrictionStep;
     using State = FrictionState;
@@ -170,10 +168,10 @@ private:
     }
 
     std::optional<Status> build() override {
-        const ElasticBody<double> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
-                                       .poisson_ratio = poisson_ratio_};
+        const ElasticBody body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
+                               .poisson_ratio = poisson_ratio_};
         // largest_load rather than normal_load: a state can be restored in a contact built under another load
-        ellipse_.emplace(HertzEllipse<double>::Parameters{
+        ellipse_.emplace(HertzEllipse::Parameters{
             .load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
         table_.reset();
         run_.reset();
@@ -204,7 +202,7 @@ private:
     void show() {
         force_ = last_.force;
         sticking_elements_ = static_cast<int>(last_.stick_count);
-        const SemiAxes<double> axes = axes_of(past_.at);
+        const SemiAxes axes = axes_of(past_.at);
         half_length_ = axes.half_length;
         half_width_ = axes.half_width;
     }
@@ -215,7 +213,7 @@ private:
     bool is_lifted(const Values& at) const { return at[load] / ellipse_->load() < 1e-100; }
 
     // Semi-axes as given, or by Hertz, where both grow like N^(1/3).
-    SemiAxes<double> axes_of(const Values& at) const {
+    SemiAxes axes_of(const Values& at) const {
         if (is_given(at)) return {at[length], at[width]};
         const double scale = std::cbrt(at[load] / ellipse_->load());
         return {scale * ellipse_->half_length(), scale * ellipse_->half_width()};
@@ -255,7 +253,7 @@ private:
         require(now[length] == 0, "given_half_length", now[length], "be 0 where mode is patch");
         require(now[width] == 0, "given_half_width", now[width], "be 0 where mode is patch");
         detail::require_not_negative(identity.identifier, "friction_factor", now[factor]);
-        const PatchContact<double> contact = ellipse_->contact();
+        const PatchContact contact = ellipse_->contact();
         const PatchMesh<double> mesh = patch_mesh(contact, elements_, strips_);
         const NodeDifference scheme{Nodes::chebyshev};
         const HalfSpace<double> kernel(poisson_ratio_);
@@ -370,10 +368,10 @@ private:
         off_table_ = on_table ? 0 : 1;
     }
 
-    PatchContact<double> contact_of(const Values& at) const {
+    PatchContact contact_of(const Values& at) const {
         if (!is_given(at) && is_lifted(at)) return ellipse_->contact();
-        const SemiAxes<double> axes = axes_of(at);
-        return PatchContact<double>({axes.half_length, axes.half_width, shear_modulus_, poisson_ratio_});
+        const SemiAxes axes = axes_of(at);
+        return PatchContact({axes.half_length, axes.half_width, shear_modulus_, poisson_ratio_});
     }
 
     TabulatedForce find(const Values& at) const {
@@ -424,7 +422,7 @@ private:
 
     std::array<Input, inputs> inputs_{{{0}, {0}, {0}, {20}, {1e5}, {1}, {0}, {0}}};
     double shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
-    HertzEllipse<double>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
+    HertzEllipse::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = mesh_follows_load, mode_ = by_elements, initial_state_ = at_rest;
     std::string table_file_;
 
@@ -432,8 +430,8 @@ private:
     double half_length_ = 0, half_width_ = 0;
     int sticking_elements_ = 0, off_table_ = 0;
 
-    std::optional<HertzEllipse<double>> ellipse_;  // under largest_load
-    Past past_;                                    // the last step: inputs that count, result
+    std::optional<HertzEllipse> ellipse_;  // under largest_load
+    Past past_;                            // the last step: inputs that count, result
     Step last_;
 
     std::shared_ptr<const CreepForceTable> table_;  // where mode is table
@@ -441,8 +439,8 @@ private:
     std::optional<Hertz> hertz_;  // where mode is patch, as all below
     std::optional<Friction> model_;
     std::optional<Run<Friction>> run_;
-    State from_;                   // where the last step began
-    NormalLoad<double> end_load_;  // of the present step
+    State from_;           // where the last step began
+    NormalLoad end_load_;  // of the present step
 };
 
 }  // namespace

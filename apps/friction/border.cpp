@@ -1,9 +1,9 @@
 // Creep curves with the exact border between slip and stick.
 #include <algorithm>
 
-#include <rollbem/compiled/studies.hpp>
-
 #include "steady.hpp"
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 #include "support/timing.hpp"
 
 namespace friction {

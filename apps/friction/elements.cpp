@@ -67,7 +67,7 @@ std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& sc
         before = &point;
         starts[i] = state;
         const auto step =
-            contact.steady(state, {rollbem::Travel<>::at_speed(V), point.times(creepage_unit(scene))}, next, workspace);
+            contact.steady(state, {rollbem::Travel::at_speed(V), point.times(creepage_unit(scene))}, next, workspace);
         const bool solved = step.status == rollbem::Status::ok;
         if (solved || step.status == rollbem::Status::assists_creepage) std::swap(state, next);
     }
@@ -115,8 +115,8 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
         CreepPoint point = curve.points[i];
         const auto at = [&](double longitudinal) {
             point.longitudinal = longitudinal;
-            return contact->steady(starts[i], {rollbem::Travel<>::at_speed(V), point.times(creepage_unit(scene))},
-                                   state, workspace);
+            return contact->steady(starts[i], {rollbem::Travel::at_speed(V), point.times(creepage_unit(scene))}, state,
+                                   workspace);
         };
         const auto solve = [&] {
             workspace = fresh;  // without factors

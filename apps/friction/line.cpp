@@ -3,29 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 
 namespace friction {
 
 namespace {
 
 /// The contact of a mesh of the half-length [a_0].
-rollbem::Contact<double> contact_of(const study::Scene& scene, double half_length) {
-    return rollbem::Contact<double>({.half_length = half_length,
-                                     .half_width = scene.contact.half_width(),
-                                     .shear_modulus = 1,
-                                     .poisson_ratio = scene.contact.poisson_ratio()});
+rollbem::Contact contact_of(const study::Scene& scene, double half_length) {
+    return rollbem::Contact({.half_length = half_length,
+                             .half_width = scene.contact.half_width(),
+                             .shear_modulus = 1,
+                             .poisson_ratio = scene.contact.poisson_ratio()});
 }
 
 }  // namespace
 
 double largest_half_length(const study::Run& run) { return std::sqrt(run.imposed.largest("load_ratio")); }
 
-rollbem::HertzLoad<double> hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh) {
-    const auto line = rollbem::HertzLine<double>::dimensionless();
-    return run.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
-                         : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(run));
+rollbem::HertzLoad hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh) {
+    const auto line = rollbem::HertzLine::dimensionless();
+    return run.breathing ? rollbem::HertzLoad::breathing(line, mesh)
+                         : rollbem::HertzLoad::fixed(line, mesh, largest_half_length(run));
 }
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {
@@ -47,7 +47,7 @@ rollbem::FrictionModel Line::contact(const study::Scene& scene, const System& al
                                      const std::optional<System>& across, const Eigen::ArrayXd& means,
                                      const rollbem::StabilityVerdict& checks, rollbem::Integrator integrator,
                                      double half_length) const {
-    const rollbem::Contact<double> contact = contact_of(scene, half_length);
+    const rollbem::Contact contact = contact_of(scene, half_length);
     rollbem::Friction friction{1, means};
     if (law) friction = {law->law(), means, law->memory};
     if (!across) return {contact, along, checks, friction, integrator};

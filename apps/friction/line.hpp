@@ -9,10 +9,14 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/friction/law.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/friction_laws.hpp"
 #include "support/runs.hpp"
@@ -42,7 +46,7 @@ struct Pressure {
 double largest_half_length(const study::Run& run);
 
 /// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the run needs.
-rollbem::HertzLoad<double> hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
+rollbem::HertzLoad hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
 
 /// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
 struct CreepPoint {
@@ -50,7 +54,7 @@ struct CreepPoint {
     std::optional<double> lateral{};  ///< nothing with creepage in one direction only
     double spin = 0;                  ///< times a_0
 
-    rollbem::Creepage<double> times(double unit) const {
+    rollbem::Creepage times(double unit) const {
         return {unit * longitudinal, unit * lateral.value_or(0), unit * spin};
     }
 };

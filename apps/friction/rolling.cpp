@@ -11,7 +11,7 @@ namespace friction {
 namespace {
 
 using rollbem::Status;
-using Creepage = rollbem::Creepage<double>;
+using Creepage = rollbem::Creepage;
 using Step = rollbem::FrictionStep;
 using Motion = rollbem::FrictionModel::Motion;
 
@@ -87,7 +87,7 @@ private:
         Creepage creepage = rolling_.creepage(0, true);
         const auto at = [&](double longitudinal) {
             creepage.longitudinal = longitudinal;
-            return run_.try_steady({rollbem::Travel<>::at_speed(rolling_.speed(0, true)), creepage});
+            return run_.try_steady({rollbem::Travel::at_speed(rolling_.speed(0, true)), creepage});
         };
         now_.step = rolling_.run.by_force() ? found(0, true, 0, at) : at(creepage.longitudinal);
         now_.creepage = creepage;
@@ -119,10 +119,10 @@ private:
         const Creepage shift = sum(rolling_.shift(to, false), rolling_.shift(from, true), -1);
         Creepage start = sum(rolling_.creepage(from, true), shift, 1 / distance);
         Creepage end = sum(rolling_.creepage(to, false), shift, 1 / distance);
-        rollbem::NormalLoad<double> load;
+        rollbem::NormalLoad load;
         if (rolling_.load_at) load = rolling_.load_at(to);
         const auto advance = [&] {
-            const rollbem::Travel<double> travel{distance, rolling_.duration(from, to)};
+            const rollbem::Travel travel{distance, rolling_.duration(from, to)};
             const Motion motion = Motion::linear(start, end);
             return rolling_.load_at ? run_.try_advance({travel, motion, load}) : run_.try_advance({travel, motion});
         };

@@ -23,19 +23,19 @@ struct Rolling {
     double creepage_unit = 1, spin_unit = 1;  ///< of the columns
     double full = 1;                          ///< force of full sliding
     double a_0 = 1;
-    std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
-    std::function<bool(double q)> fits{};                          ///< whether elements are small enough there
+    std::function<rollbem::NormalLoad(double)> load_at{};  ///< at q; where it is not constant
+    std::function<bool(double q)> fits{};                  ///< whether elements are small enough there
 
     /// Linear over a step.
-    rollbem::Creepage<double> creepage(double q, bool behind) const;
+    rollbem::Creepage creepage(double q, bool behind) const;
     /// Rigid displacement besides: where it jumps, without rolling, in dq's time.
-    rollbem::Creepage<double> shift(double q, bool behind) const;
+    rollbem::Creepage shift(double q, bool behind) const;
     double speed(double q, bool behind) const;
     /// The duration of a step over which the speed is linear.
     double duration(double from, double to) const;
     /// The displacement of a jump at q; nothing where there is none. Where a force jumps, the displacement is still to
     /// be found.
-    std::optional<rollbem::Creepage<double>> jump(double q) const;
+    std::optional<rollbem::Creepage> jump(double q) const;
 };
 
 /// The state of a run at a row, in the units of the contact.
@@ -43,8 +43,8 @@ struct Moment {
     double q = 0;
     bool shifted = false;                                 ///< the row of the shift before rolling
     rollbem::FrictionStep step{};                         ///< the last one, also if it failed
-    rollbem::Creepage<double> creepage{0, 0, 0};          ///< at the end, also if it was found
-    rollbem::Creepage<double> shift{0, 0, 0};             ///< in this row, also if it was found
+    rollbem::Creepage creepage{0, 0, 0};                  ///< at the end, also if it was found
+    rollbem::Creepage shift{0, 0, 0};                     ///< in this row, also if it was found
     double slip_work = 0, jump_work = 0, creep_work = 0;  ///< cumulative
     double elastic_energy = 0;
     int rounds = 0;        ///< of all steps of the row

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/pressure_table.hpp>
+#include <rollbem/normal/pressure.hpp>
 
 #include "steady.hpp"
 #include "support/input.hpp"
@@ -50,9 +50,10 @@ void add_steady_options(study::Options& options) {
         .only_with(study::friction_law_options())
         .not_with("transient");
     options
-        .add_table("tractions",
-                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml beside "
-                   "it; none without it")
+        .add_table(
+            "tractions",
+            "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml next to "
+            "it; none without it")
         .not_with("transient");
     options
         .add_flag("fit-border", "exact border between slip and stick, by series; n elements are used where that fails")
@@ -148,7 +149,7 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 
 Pressure read_pressure(const study::Options& options) {
     if (!options.given("pressure")) {
-        const rollbem::HertzPressure<double> hertz;
+        const rollbem::HertzPressure hertz;
         return {hertz, hertz, true};
     }
     const study::Rule within = study::between(-1, 1);
@@ -159,7 +160,7 @@ Pressure read_pressure(const study::Options& options) {
         });
     options.require(!points[0].empty(), "pressure", "have at least one row below its header");
     const auto table = study::blame(options.said("pressure"), [&] {
-        return rollbem::PressureTable<double>(study::array(points[0]), study::array(points[1]));
+        return rollbem::PressureTable(study::array(points[0]), study::array(points[1]));
     });
     const double scale = mu_N / table.integral();
     return {[=](double x_over_a) { return scale * table(x_over_a); },

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/closed_form/carter.hpp>
 
 #include "support/timing.hpp"
 
@@ -233,7 +233,7 @@ std::string curve_help() {
 }
 
 study::Table curve_table(const Curve& curve) {
-    study::Table table = study::table_of(creep_sheet().names(), curve.scenes, curve.points.size());
+    study::Table table = creep_sheet().frame(curve.scenes, curve.points.size());
     study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), curve.keeps_tractions);
     table.compute = [&curve, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const study::Scene& scene = curve.scenes[task];

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/closed_form/carter.hpp>
 
 #include "rolling.hpp"
 #include "steady.hpp"
@@ -75,7 +75,7 @@ Rolling make_rolling(const Scenario& scenario, const study::Scene& scene) {
         };
     }
     rolling.load_at = [&run, hertz = hertz_load(run, *scene.mesh)](double q) {
-        rollbem::NormalLoad<double> normal = hertz.at(hertz.breathes() ? mu_N : 0);
+        rollbem::NormalLoad normal = hertz.at(hertz.breathes() ? mu_N : 0);
         hertz.set(run.load_ratio(q) * mu_N, normal);  // a step refuses what is no load
         return normal;
     };

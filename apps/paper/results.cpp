@@ -8,19 +8,26 @@
 #include <stdexcept>
 #include <utility>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/studies.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "figures.hpp"
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 
 namespace paper {
 
 study::Scene scene_of(const Case& c, rollbem::LineModel model) {
-    return study::make_scene(c, c.n, rollbem::Contact<double>::dimensionless(aspect, poisson_ratio), model);
+    return study::make_scene(c, c.n, rollbem::Contact::dimensionless(aspect, poisson_ratio), model);
 }
 
 rollbem::ElementSystem<double> system_of(const Case& c) {
@@ -70,15 +77,15 @@ Tractions tractions(const Case& c) {
 
 Eigen::Index unstable_count(const Case& c) {
     const rollbem::ElementSystem<double> system = system_of(c);
-    const rollbem::UnstableCount<double> fast = rollbem::count_unstable<double>(system);
+    const rollbem::UnstableCount fast = rollbem::count_unstable(system);
     if (fast.status == rollbem::Status::ok) return fast.unstable_count;
-    const rollbem::StabilityResult<double> slow = rollbem::solve_stability<double>(system);
+    const rollbem::StabilityResult slow = rollbem::solve_stability(system);
     if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
     return slow.unstable_count;
 }
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
-    const rollbem::FrequencySweep<double> sweep(system_of(c));
+    const rollbem::FrequencySweep sweep(system_of(c));
     std::vector<HarmonicResponse> result;
     for (const double frequency : z) {
         const rollbem::Response<std::complex<double>> point = sweep(frequency);

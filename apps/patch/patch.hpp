@@ -14,10 +14,12 @@
 
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/law.hpp>
 #include <rollbem/scene/creepage.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 
+#include "support/friction_laws.hpp"
 #include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
@@ -30,7 +32,7 @@ namespace patch {
 
 /// One contact patch and its mesh.
 struct Patch {
-    rollbem::PatchContact<double> contact;  ///< a = G = 1; an outline in its own unit of length
+    rollbem::PatchContact contact;  ///< a = G = 1; an outline in its own unit of length
     rollbem::PatchMesh<double> mesh;
     rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
@@ -53,10 +55,10 @@ study::Cell scene_cell(const Patch& patch, const std::string& column);
 // --- friction
 
 /// Creepages times G a b/(mu N), spin times G a b c/(mu N).
-using CreepPoint = rollbem::Creepage<double>;
+using CreepPoint = rollbem::Creepage;
 
 /// The creepages themselves.
-inline rollbem::Creepage<double> creepage(const Patch& patch, const CreepPoint& point) {
+inline rollbem::Creepage creepage(const Patch& patch, const CreepPoint& point) {
     return {point.longitudinal, point.lateral, point.spin / patch.contact.c()};
 }
 
@@ -75,6 +77,14 @@ std::vector<study::Column<Row>> creepage_columns() {
 /// Throws BadInput if less than half of the load of --pressure lies on them, or if it covers less than nine tenths.
 using Pressure = std::function<Eigen::ArrayXd(const Patch&)>;
 
+/// The law of friction under these pressures, constant or as --falling has it, in the units of the patch.
+rollbem::Friction friction_of(const std::optional<study::ChosenLaw>& law, const Patch& patch, Eigen::ArrayXd pressures);
+
+/// The units of forces [N] and moments [N m] of a patch given in SI.
+struct SiUnits {
+    double force, moment;
+};
+
 /// Steady friction.
 struct Friction {
     const std::vector<Patch>& patches;
@@ -84,6 +94,8 @@ struct Friction {
     bool from_above;                ///< the picture shows the patches at the one creepage
     bool keeps_tractions;           ///< for a file or that picture
     std::optional<double> force{};  ///< -F_x/(mu N) in place of the longitudinal creepages
+    std::optional<study::ChosenLaw> law{};
+    std::optional<SiUnits> si{};  ///< of the one patch of --creepage
 };
 
 /// The columns and their meanings, of forces and of tractions.
@@ -107,6 +119,7 @@ struct TimeScene {
     const std::vector<Patch>& patches;
     Pressure pressure;
     study::Run run;
+    std::optional<study::ChosenLaw> law{};
 
     /// Just before (or at) q.
     CreepPoint at(double q) const {
@@ -148,9 +161,10 @@ study::Table transient_table(const TimeScene& scene);
 /// Declares all options of patches, and of friction on them, steady or in time.
 void add_options(study::Options& options);
 void add_friction_options(study::Options& options);
+void add_si_options(study::Options& options);
 void add_transient_options(study::Options& options);
 
-/// The options that ask for friction, the last five in the time domain.
+/// The options that ask for friction.
 std::vector<std::string> ways_of_friction();
 
 /// n is the outermost loop, then the number of strips, a/b and Poisson's ratio.

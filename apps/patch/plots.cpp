@@ -6,9 +6,8 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/studies/kalker_table.hpp>
-
 #include "patch.hpp"
+#include "studies/kalker_table.hpp"
 
 namespace patch {
 
@@ -90,7 +89,7 @@ void add_table(study::Plot& plot, std::array<double, 3> rollbem::studies::Kalker
 }
 
 /// The edge of a patch as a closed line, in c.
-std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<double>& contact) {
+std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact& contact) {
     std::vector<std::pair<double, double>> points;
     if (contact.outline()) points = study::edge_of(*contact.outline());
     for (int i = 0; i <= 360 && !contact.outline(); ++i) {
@@ -104,10 +103,10 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
 /// The zones of stick and slip, tractions on body 1 and the pole of the rigid slip. y points down: z points away from
 /// the viewer.
 study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const Records& tractions) {
-    const rollbem::PatchContact<double>& contact = patch.contact;
+    const rollbem::PatchContact& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
     study::Plot plot{"Patch from above", {"x / c, rolling to the right"}, {"y / c"}};
-    plot.to_scale = true;
+    plot.to_scale = plot.y_down = true;
     if (tractions.rows.empty()) return plot;  // of another shard
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +

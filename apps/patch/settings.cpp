@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
@@ -7,9 +8,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/pressure_grid.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "patch.hpp"
 #include "support/input.hpp"
@@ -19,9 +22,9 @@ namespace patch {
 namespace {
 
 using study::array, study::Numbers;
-using Contact = rollbem::PatchContact<double>;
+using Contact = rollbem::PatchContact;
 using Mesh = rollbem::Mesh<double>;
-using Outline = rollbem::Outline<double>;
+using Outline = rollbem::Outline;
 
 constexpr std::ptrdiff_t most_elements = 10000;
 
@@ -120,6 +123,37 @@ void add_options(study::Options& options) {
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
 }
 
+namespace {
+
+/// One ellipse in SI units.
+struct SiScene {
+    double load, mu, a, b, shear_modulus;
+    std::vector<double> creepage;
+};
+
+/// Throws BadInput.
+SiScene read_si(const study::Options& options) {
+    for (const char* name : {"normal-load", "friction", "half-length", "half-width", "shear-modulus"}) {
+        options.require(options.given(name), "creepage", std::string("go with --") + name);
+    }
+    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
+    SiScene scene{positive("normal-load"), positive("friction"),      positive("half-length"),
+                  positive("half-width"),  positive("shear-modulus"), options.row("creepage", 3)};
+    options.require(!scene.creepage.empty(), "creepage",
+                    "be three numbers with commas between them: xi, eta, phi [1/m]");
+    options.require(study::between(1e-6, 1e6).holds(scene.a / scene.b), "half-length",
+                    "be 1e-6 to 1e6 times --half-width");
+    return scene;
+}
+
+Numbers read_ratios(const study::Options& options) {
+    if (!options.given("creepage")) return options.numbers("a-over-b", study::between(1e-6, 1e6));
+    const SiScene scene = read_si(options);
+    return {scene.a / scene.b};
+}
+
+}  // namespace
+
 std::vector<Patch> read_patches(const study::Options& options) {
     const std::vector<study::NamedScheme> schemes = make_schemes(options);
     const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
@@ -129,7 +163,7 @@ std::vector<Patch> read_patches(const study::Options& options) {
     if (options.given("outline")) {
         outline = read_outline(options);
     }
-    for (const double ratio : outline ? Numbers{1} : options.numbers("a-over-b", study::between(1e-6, 1e6))) {
+    for (const double ratio : outline ? Numbers{1} : read_ratios(options)) {
         for (const double nu : poisson) {
             contacts.push_back(outline ? Contact(*outline, 1, nu) : Contact::dimensionless(ratio, nu));
         }
@@ -175,7 +209,7 @@ study::Cell scene_cell(const Patch& patch, const std::string& column) {
 namespace {
 
 /// The grid of --pressure, whose rows may have any order.
-rollbem::PressureGrid<double> read_grid(const study::Options& options) {
+rollbem::PressureGrid read_grid(const study::Options& options) {
     std::map<std::pair<double, double>, double> points;
     const std::vector<study::Numbers> columns =
         study::read_columns(options, "pressure", "x,y,pressure", "", [&](const auto& read, const std::string& where) {
@@ -200,13 +234,12 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
             pressures(i, j) = point->second;
         }
     }
-    return study::blame(options.said("pressure"),
-                        [&] { return rollbem::PressureGrid<double>(x, y, std::move(pressures)); });
+    return study::blame(options.said("pressure"), [&] { return rollbem::PressureGrid(x, y, std::move(pressures)); });
 }
 
 /// The mean pressures on the elements by a grid that the options `said`, which measures an ellipse in a
 /// and b, an outline in its own unit.
-Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::string& said, const Patch& patch) {
+Eigen::ArrayXd means_of(const rollbem::PressureGrid& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
     std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);
@@ -255,7 +288,9 @@ void require_no_gain(const study::Options& options, const std::vector<Patch>& pa
         const Eigen::Matrix3d C = steady.coefficients;
         options.require(steady.status != rollbem::Status::ok ||
                             Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
-                        options.given("spin") ? "spin" : "history",
+                        options.given("spin")       ? "spin"
+                        : options.given("creepage") ? "creepage"
+                                                    : "history",
                         "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
     }
 }
@@ -291,13 +326,37 @@ void add_friction_options(study::Options& options) {
                       "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
                       "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
                       "outline in its unit; Hertz's pressure without it, of an ellipse");
-    options.add_table(
-        "tractions",
-        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
+    study::add_friction_laws(options);
+    options.set_help(
+        "memory",
+        "memory of friction: distance D of slip [c mu_0 p_0/G], above 0, within which mu follows its law, "
+        "passed at a velocity of at least V0 [V mu_0 p_0/G], 0 or more; mu follows its law at once without "
+        "it");
+    options.add_table("tractions",
+                      "CSV file of the tractions of steady friction, one row per element, with FILE.toml next to it; "
+                      "none without it");
 }
 
 std::vector<std::string> ways_of_friction() {
-    return {"longitudinal", "lateral", "spin", "step", "ramp", "sine", "history", "force"};
+    return {"longitudinal", "lateral", "spin", "step", "ramp", "sine", "history", "force", "creepage"};
+}
+
+/// Declares one ellipse in SI units, in place of ratios.
+void add_si_options(study::Options& options) {
+    options.group("One ellipse in SI units");
+    options.add("creepage", "XI,ETA,PHI",
+                "creepages [dimensionless] and spin [1/m] for friction, in place of ratios; the forces in N and N m");
+    for (const char* ratio : {"a-over-b", "outline", "longitudinal", "lateral", "spin", "step", "ramp", "sine",
+                              "history", "force", "transient", "stability", "omega", "state-space"}) {
+        options.not_with({ratio}, "creepage");
+    }
+    const std::vector<std::string> with{"creepage"};
+    options.add("normal-load", "N", "load of the ellipse [N], above 0").only_with(with);
+    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling")
+        .only_with(with);
+    options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
+    options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);
+    options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], above 0").only_with(with);
 }
 
 void add_transient_options(study::Options& options) {
@@ -311,14 +370,46 @@ void add_transient_options(study::Options& options) {
         "without it, and with --breathing=false, the mesh covers the largest ellipse");
 }
 
+namespace {
+
+/// The law of friction. Throws BadInput if it has a memory, which belongs to particles, on patches of several strips.
+std::optional<study::ChosenLaw> read_law(const study::Options& options, const std::vector<Patch>& patches) {
+    std::optional<study::ChosenLaw> law = study::read_friction_law(options);
+    const bool several =
+        std::any_of(patches.begin(), patches.end(), [](const Patch& patch) { return patch.mesh.strip_count() > 1; });
+    options.require(!law || law->memory.distance == 0 || !several, "memory",
+                    "go with --strips 1: the library follows the memory of particles along one strip only");
+    return law;
+}
+
+}  // namespace
+
 Friction read_friction(const study::Options& options, const std::vector<Patch>& patches) {
+    std::vector<CreepPoint> points = read_points(options, patches);
+    std::optional<SiUnits> si;
+    if (options.given("creepage")) {
+        const SiScene given = read_si(options);
+        const double full = given.mu * given.load, c = std::sqrt(given.a * given.b),
+                     unit = given.shear_modulus * given.a * given.b / full;
+        const std::vector<double>& creepage = given.creepage;
+        points = {{unit * creepage[0], unit * creepage[1], unit * c * creepage[2]}};
+        for (const double ratio : {points[0].longitudinal, points[0].lateral, points[0].spin}) {
+            options.require(std::abs(ratio) <= 1e6, "creepage",
+                            "be at most 1e6 mu N/(G a b), spin over sqrt(a b), in size: do the units fit?");
+        }
+        if (points[0].spin != 0) require_no_gain(options, patches);
+        const double own = mu_N(patches.front());
+        si = SiUnits{full / own, full * c / (own * patches.front().contact.c())};
+    }
     Friction scene{.patches = patches,
-                   .points = read_points(options, patches),
+                   .points = std::move(points),
                    .pressure = read_pressure(options),
                    .timed = study::has_times(options),
                    .from_above = options.given("plot"),
                    .keeps_tractions = options.given("tractions")};
     if (options.given("force")) scene.force = options.number("force", study::finite());
+    scene.law = read_law(options, patches);
+    scene.si = si;
     for (const Patch& patch : patches) scene.pressure(patch);  // before anything is written
     scene.from_above = scene.from_above && scene.points.size() == 1 && !scene.force && patches.size() <= 3;
     scene.keeps_tractions = scene.keeps_tractions || scene.from_above;
@@ -331,7 +422,7 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
     TimeScene scene{patches, read_pressure(options),
-                    study::read_run(options, history_columns, study::between(-1e6, 1e6))};
+                    study::read_run(options, history_columns, study::between(-1e6, 1e6)), read_law(options, patches)};
     const study::History& imposed = scene.run.imposed;
     if (imposed.has("spin")) require_no_gain(options, patches);
     if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/status.hpp>
 
 #include "front.hpp"

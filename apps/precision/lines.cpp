@@ -6,18 +6,25 @@
 #include <span>
 #include <utility>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "comparison.hpp"
 #include "support/non_steady.hpp"
@@ -145,19 +152,19 @@ bool breathes(const Scene& scene, const Settings& settings) {
 
 /// -F/(mu N_0) after each of 160 steps in a period of the load.
 Values load_forces(const Scene& scene, const Settings& settings, const Place& place) {
-    const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
+    const auto line = rollbem::HertzLine::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
     const bool follows = breathes(scene, settings);
     const double half_length = follows ? 1 : std::sqrt(1 + load_amplitude);
-    const auto hertz = follows ? rollbem::HertzLoad<double>::breathing(line, *scene.mesh)
-                               : rollbem::HertzLoad<double>::fixed(line, *scene.mesh, half_length);
-    const Contact<double> covered({.half_length = half_length,
-                                   .half_width = scene.contact.half_width(),
-                                   .shear_modulus = 1,
-                                   .poisson_ratio = scene.contact.poisson_ratio()});
+    const auto hertz = follows ? rollbem::HertzLoad::breathing(line, *scene.mesh)
+                               : rollbem::HertzLoad::fixed(line, *scene.mesh, half_length);
+    const Contact covered({.half_length = half_length,
+                           .half_width = scene.contact.half_width(),
+                           .shear_modulus = 1,
+                           .poisson_ratio = scene.contact.poisson_ratio()});
     const auto load_at = [&](double q) {
         return line.load_per_width() * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
     };
-    rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
+    rollbem::NormalLoad load = hertz.at(load_at(load_length / 4));
     const auto system = rolling_system(*scene.mesh, scene.scheme, Kernel::longitudinal(scene.kernel.model(), covered));
     const rollbem::FrictionModel model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
     const rollbem::Creepage xi{creepage(scene, place)};
@@ -246,7 +253,7 @@ Values values(const Scene& scene, const Settings& settings, Problem problem, Som
 
 /// The values of a quantity by a polynomial of the order `degree`. Steady results of the plane do not depend on the
 /// aspect.
-Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const Quantity& quantity, Some places) {
+Found by_polynomial(const Contact& contact, Eigen::Index degree, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio(), aspect = std::isfinite(contact.aspect()) ? contact.aspect() : 1000;
     if (is_traction(quantity)) {
         const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, degree);
@@ -272,7 +279,7 @@ Found evaluate(const Scene& scene, const Settings& settings, const Quantity& qua
 /// infinite aspect. Forces in both directions are those of 640 elements, which cannot be extrapolated, as the border of
 /// stick jumps from element to element. A load that varies moves the border all the time: its forces are extrapolated
 /// from cosine meshes of 160 and 320 elements that breathe, in steps of a quarter of the schemes' steps.
-Values reference(const Contact<double>& contact, const Quantity& quantity, Some places) {
+Values reference(const Contact& contact, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio();
     const auto by = [&](const char* scheme, long n) {
         const Scene fine = study::make_scene(study::scheme_named(scheme), n, contact, LineModel::plane);
@@ -297,14 +304,14 @@ Values reference(const Contact<double>& contact, const Quantity& quantity, Some 
     }
 }
 
-Found in_closed_form(const Contact<double>& contact, const Quantity& quantity, Some places) {
+Found in_closed_form(const Contact& contact, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio(), aspect = contact.aspect();
     if (quantity.problem != Problem::transient) return {reference(contact, quantity, places)};
     return {over_distance(places, [&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); })};
 }
 
 /// Exact values to compare closed forms with where these are the reference themselves.
-Values second_closed_form(const Contact<double>& contact, const Quantity& quantity) {
+Values second_closed_form(const Contact& contact, const Quantity& quantity) {
     Values exact;
     if (quantity.problem != Problem::harmonic) return exact;
     for (const Place& place : quantity.places) {
@@ -325,7 +332,7 @@ Found evaluate(const Scene& scene, const Settings& settings, const Quantity& qua
 }
 
 /// The relative difference that the strip makes to the plane limit: the model's error, on one mesh.
-double model_error(const Contact<double>& contact, const Quantity& quantity) {
+double model_error(const Contact& contact, const Quantity& quantity) {
     const auto on = [&](LineModel model) {
         const auto scene = study::make_scene(study::scheme_named("cosine:collocation:0.5/0.5"), 60, contact, model);
         return evaluate(scene, {.may_breathe = false}, quantity, quantity.places);
@@ -350,7 +357,7 @@ std::optional<bool> stable(const Scene& scene) {
     if (!scene.is_discrete()) return plane_decays;  // the model's own mode
     if (scene.is_plane() && !plane_decays) return std::nullopt;
     for (const Scene& one : scene.meshes()) {
-        const auto count = rollbem::count_unstable<double>(study::system_of(one));
+        const auto count = rollbem::count_unstable(study::system_of(one));
         if (count.status != Status::ok) return std::nullopt;
         if (count.unstable_count > 0) return false;
     }
@@ -361,9 +368,8 @@ std::optional<bool> stable(const Scene& scene) {
 
 /// The one contact of a study and its model: times and the front compare schemes on one problem. Throws BadInput if
 /// the options name several contacts.
-std::pair<Contact<double>, LineModel> read_contact(const study::Options& options,
-                                                   const std::vector<NamedScheme>& schemes,
-                                                   const std::vector<Quantity>& quantities) {
+std::pair<Contact, LineModel> read_contact(const study::Options& options, const std::vector<NamedScheme>& schemes,
+                                           const std::vector<Quantity>& quantities) {
     for (const char* name : {"kernel", "aspect", "poisson"}) {
         options.require(options.said(name).find(',') == std::string::npos, name,
                         "be a single value: schemes are compared for one contact; run the study once for each value");
@@ -377,7 +383,7 @@ std::pair<Contact<double>, LineModel> read_contact(const study::Options& options
     if (!asked([](const Quantity& q) { return q.problem >= Problem::friction; }))
         options.ignored("creepage-ratio", "without a quantity with friction");
     const bool steady = !solve(Problem::harmonic) && !solve(Problem::transient) && !solve(Problem::varying_load);
-    const Contact<double> contact =
+    const Contact contact =
         study::make_contacts(options, steady ? study::Problem::steady : study::Problem::non_steady).front();
     if (!steady) study::require_plane_model(contact);
     // the strip of infinite width is the plane
@@ -471,7 +477,7 @@ Comparison read_line_comparison(const study::Options& options) {
     const std::vector<NamedScheme> schemes = read_schemes(options, false);
     const std::vector<Quantity> quantities = read_quantities(options, line_quantities(options));
     const auto given = read_contact(options, schemes, quantities);
-    const Contact<double> contact = given.first;
+    const Contact contact = given.first;
     const LineModel model = given.second;
     Comparison result{columns(), quantities};
     for (const NamedScheme& scheme : schemes) {

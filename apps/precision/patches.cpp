@@ -9,16 +9,23 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/recommended_patch.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/studies/kalker_table.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "comparison.hpp"
 #include "extremes/drawn.hpp"
+#include "studies/kalker_table.hpp"
 
 namespace precision {
 
@@ -28,7 +35,7 @@ constexpr long reference_n = 48;                                   // and half o
 constexpr std::ptrdiff_t most_elements = 4096, most_judged = 256;  // eigenvalues cost much more than the coefficients
 constexpr std::ptrdiff_t reference_elements = 500;                 // with friction
 
-using PatchContact = rollbem::PatchContact<double>;
+using PatchContact = rollbem::PatchContact;
 using PatchMesh = rollbem::PatchMesh<double>;
 using rollbem::NodeDifference;
 using rollbem::Status;
@@ -82,8 +89,8 @@ Found forces(const PatchContact& contact, const Discretisation& by, Some places)
     const double unit = contact.a_over_b(), c = 1 / std::sqrt(unit);  // mu N/(G a b) and sqrt(a b), with a = 1
     Found found;
     for (const Place& place : places) {
-        const rollbem::Creepage<double> creepage{unit * place["longitudinal"], unit * place["lateral"],
-                                                 unit / c * place["spin"]};
+        const rollbem::Creepage creepage{unit * place["longitudinal"], unit * place["lateral"],
+                                         unit / c * place["spin"]};
         const auto step = rollbem::Run(model).steady({.motion = creepage});
         found.add({{-step.force.longitudinal, -step.force.lateral}, {}, step.status});
     }

@@ -42,7 +42,7 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     const std::vector<std::string> ranked = ranked_schemes(points);
     const std::vector<double> sustained = sustained_errors(points);
     study::Records rows{columns()};
-    study::Series front{"Pareto front", study::Look::exact};
+    study::Series front{"Pareto front", study::Look::exact_markers};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point& point = points[i];
         const bool is_reference = point.scheme == "closed-form" && point.relative_error == 0.0;
@@ -54,12 +54,12 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     add_series(plot, rows, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
     plot.title = title_of(shown) + note;
     if (plot.series.size() == 1) plot.series[0].label = *rows.texts("scheme").begin();
-    std::string left_out;  // schemes that serve for comparison alone
+    std::string left_out;  // of the front: schemes that serve for comparison alone
     for (const std::string& scheme : rows.texts("scheme")) {
         if (!is_discretisation(scheme) || !shown.competes(scheme))
-            left_out += (left_out.empty() ? " without " : ", ") + scheme;
+            left_out += (left_out.empty() ? "; front without " : ", ") + scheme;
     }
-    front.label += left_out;
+    plot.title += left_out;
     std::sort(front.points.begin(), front.points.end());
     plot.series.push_back(std::move(front));
     return plot;
@@ -86,7 +86,10 @@ study::Picture pictures(const std::vector<Quantity>& quantities, const std::vect
     note(shown.size(), quantities.size(), " quantities drawn)");
     note(study::most_curves, ranked_schemes(points).size(), " schemes drawn)");
     study::Picture panels;
-    for (const Quantity& quantity : shown) panels.push_back(panel(quantity, panels.empty() ? notes : "", points));
+    for (const Quantity& quantity : shown) {
+        panels.push_back(panel(quantity, panels.empty() ? notes : "", points));
+        panels.back().shares_legend = panels.size() > 1;
+    }
     return panels;
 }
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/accuracy/recommended_patch.hpp>
 
 #include "comparison.hpp"
 #include "support/input.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/vehicle/equivalent_conicity.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "profile.hpp"
 #include "support/sheet.hpp"

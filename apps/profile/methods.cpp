@@ -98,7 +98,8 @@ const study::Sheet<Compared, double> sheet{
     "",
     {{"shift", "lateral shift of the wheelset [m]", &Compared::shift},
      {"method",
-      "virtual-penetration (share 0.55 of the approach), or cells-NXxNS; lobes of a contact have more cells, so that "
+      "virtual-penetration (share 0.55 of the approach), or cells-NXxNS; where pressures have several maxima there are "
+      "more cells, so that "
       "rows of two methods may be alike",
       &Compared::method},
      {"height", "height at which 80 x 40 cells carry --load [m]", &Compared::height},
@@ -106,9 +107,9 @@ const study::Sheet<Compared, double> sheet{
             [](const Compared& row) { return row.own.load; }),
      column("area", "sum of the areas of its patches [m^2]", [](const Compared& row) { return row.own.area; }),
      column("peak_pressure", "largest pressure [Pa]", [](const Compared& row) { return row.own.peak_pressure; }),
-     column("load_error", "relative errors beside 80 x 40 cells", error(&Totals::load)),
-     column("area_error", "relative errors beside 80 x 40 cells", error(&Totals::area)),
-     column("peak_error", "relative errors beside 80 x 40 cells", error(&Totals::peak_pressure)),
+     column("load_error", "relative errors against 80 x 40 cells", error(&Totals::load)),
+     column("area_error", "relative errors against 80 x 40 cells", error(&Totals::area)),
+     column("peak_error", "relative errors against 80 x 40 cells", error(&Totals::peak_pressure)),
      {"time_us", std::string("time of all from the profiles [microseconds], ") + study::median_of_runs,
       &Compared::time_us},
      {"status", "status, as of patches", [](const Compared& row) { return name(row.own.status); }}},
@@ -171,7 +172,7 @@ study::Picture draw(const study::Records& rows) {
 void add_method_options(study::Options& options) {
     options.group("Methods for the normal problem");
     options.add_flag("virtual-penetration",
-                     "table of loads, areas and pressures by virtual penetration (Kik and Piotrowski) beside cells at "
+                     "table of loads, areas and pressures by virtual penetration (Kik and Piotrowski) and by cells at "
                      "each --shift, in place of patches");
 }
 

@@ -1,12 +1,15 @@
 // The input of profile_study, profiles, track, loads and positions, and its pictures.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <rollbem/vehicle/equivalent_conicity.hpp>
+#include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "support/csv.hpp"
 #include "support/options.hpp"
@@ -22,11 +25,24 @@ struct Case {
     std::optional<double> roll, pitch_rate;
     double along = 0, pitch = 0;
     std::optional<double> height{};  ///< z_ws [m]; none: that which carries the load
+    /// Of this position alone [N], [m/s], [-]; none: as of all.
+    std::optional<double> load{}, speed{}, friction{};
+    double distance = 0, passages = 0;  ///< rolled in this position [m], and by wheels over the rail [-]
     std::string label() const { return "shift = " + study::Cell(shift).text(4) + " m"; }
 };
 inline study::Cell scene_cell(const Case& at, const std::string& name) {
     return name == "shift" ? at.shift : name == "yaw" ? at.yaw : name == "pitch" ? at.pitch : at.along;
 }
+
+/// Wear of a wheel and its rail over all positions.
+struct WearPlan {
+    rollbem::WearLaw law;
+    double step;                        ///< largest depth between two searches of contacts [m]
+    std::string worn_wheel, worn_rail;  ///< files; empty where they are not asked for
+    double cant, tape_offset;           ///< of the profiles as they are read [rad], [m]
+    bool rail;                          ///< whether it wears, too
+    std::size_t jobs;
+};
 
 /// Positions of a wheelset whose patches are found, and how.
 struct Settings {
@@ -43,7 +59,13 @@ struct Settings {
     bool loads_include_friction;        ///< a part of the loads
     std::string outline, wear, stress;  ///< a folder, and files; empty where they are not asked for
     bool timed;
+    std::optional<WearPlan> wear_plan{};  ///< if profiles are to wear
+
+    double speed_of(const Case& at) const { return at.speed.value_or(speed); }
 };
+
+/// Contacts and, if asked for, friction of a position, which may be those of other profiles in the same places.
+rollbem::WheelsetForces forces_at(const Settings& settings, const rollbem::WheelsetOnTrack& wheelset, const Case& at);
 
 /// Declares the options of profile_study; its footer is for the program.
 void add_options(study::Options& options);
@@ -67,6 +89,28 @@ struct Conicity {
 Conicity read_conicity(const study::Options& options);  ///< throws BadInput
 study::Table conicity_table(const Conicity& conicity);
 std::string conicity_help();  ///< the columns and their meanings
+
+// --- wear
+
+/// Declares the options of wear.
+void add_wear_options(study::Options& options);
+
+/// The plan, if a position has a distance or an option of wear is given. Throws BadInput.
+std::optional<WearPlan> read_wear(const study::Options& options, const std::vector<Case>& cases, bool has_distance,
+                                  bool has_passages);
+
+/// Wear step by step, a row for each search of contacts.
+class WearRun {
+public:
+    explicit WearRun(const Settings& settings);
+    ~WearRun();
+    study::Table table(study::OutputFiles& files);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+std::string wear_help();  ///< the columns and their meanings
 
 // --- methods for the normal problem
 
@@ -105,6 +149,15 @@ struct Drawn {
 /// Patches from above: pressures as shares of the largest one, and outlines; the last title counts rows
 /// `without` a patch.
 study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t without);
+
+struct Worn {
+    std::string name;
+    rollbem::Profile before, after;
+    rollbem::Profile::Use body;
+};
+
+/// Profiles before and after wear, a panel each, and the worn ones at ten times the depth.
+study::Picture draw_wear(const std::vector<Worn>& bodies);
 
 /// Wheel above rail, round and straight ones, and lines that join where they touch, one for each row.
 study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& rows);

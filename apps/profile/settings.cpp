@@ -22,7 +22,9 @@ void add_position_options(study::Options& options) {
     options.add("yaw", "LIST", "yaw angle of the wheelset, clockwise from above [rad], -0.3 to 0.3", "0");
     options.add_input("positions",
                       "CSV file of positions, with the columns shift [m], yaw [rad] and, if given, roll [rad], "
-                      "pitch_rate [rad/s], in place of --shift and --yaw");
+                      "pitch_rate [rad/s], x [m], pitch [rad], height [m], load [N], speed [m/s], friction "
+                      "[dimensionless], each in place of its option; distance [m] rolled in a position, 0 or more, and "
+                      "passages [dimensionless] of wheels over the rail make both wear");
     options.not_with({"shift", "yaw"}, "positions");
     options.add(
         "roll", "X",
@@ -40,7 +42,7 @@ void add_position_options(study::Options& options) {
                 "on");
     options.add("cells", "NX,NS",
                 "numbers of cells across the region that touches, along x and s [dimensionless], 10 to 1000 each; "
-                "regions with lobes have more",
+                "more where pressures have several maxima",
                 "40,20");
 }
 
@@ -50,7 +52,7 @@ void add_friction_options(study::Options& options) {
     options.add("friction", "MU|FILE",
                 "coefficient of friction [dimensionless], 0 or more, or CSV file of it with the columns angle [rad],mu "
                 "or y [m],mu over the rail's surface; adds creepages and forces; no friction without it");
-    const std::vector<std::string> with_friction{"friction"};
+    const std::vector<std::string> with_friction{"friction", "positions"};
     options.add("speed", "V", "velocity of the wheelset [m/s], not 0, negative when rolling backwards", "1")
         .only_with(with_friction);
     options
@@ -75,7 +77,7 @@ void add_friction_options(study::Options& options) {
     options
         .add("strips", "M",
              "number of strips of a patch [dimensionless], 1 to 100; fewer where rolling would gain energy; default: "
-             "13, up to 25 where a patch has lobes")
+             "13, up to 25 where pressures have several maxima")
         .only_with(with_friction);
     options
         .add("slip", "NAME",
@@ -125,14 +127,21 @@ std::optional<rollbem::Heating> read_heating(const study::Options& options) {
 }
 
 /// Throws BadInput.
-std::optional<rollbem::RollingFriction> read_friction(const study::Options& options) {
-    if (!options.given("friction")) return {};
+std::optional<rollbem::RollingFriction> read_friction(const study::Options& options, bool by_positions) {
+    if (!options.given("friction") && !by_positions) {
+        for (const char* name : {"speed", "pitch-rate", "force", "layer", "load-of", "strips", "slip", "shear-yield",
+                                 "temperature", "n", "wear", "stress"}) {
+            options.ignored(name, "without --friction, or a column friction in --positions");
+        }
+        return {};
+    }
     rollbem::RollingFriction friction{
         .elements = Eigen::Index(options.integer("n", 1, 100)),
         .strips = options.given("strips") ? Eigen::Index(options.integer("strips", 1, 100)) : 0,
         .curved_slip = options.choice("slip", {"curved", "linear"}) == "curved",
         .heating = read_heating(options),
         .layer = options.number("layer", study::not_negative())};
+    if (by_positions) return friction;
     if (study::detail::parse_number<double>(options.text("friction"))) {
         friction.coefficient = options.number("friction", study::not_negative());
     } else {
@@ -145,18 +154,18 @@ std::optional<rollbem::RollingFriction> read_friction(const study::Options& opti
 
 void add_options(study::Options& options) {
     for (const char* mode : {"virtual-penetration", "conicity"}) {
-        options.not_with(
-            {"side",   "yaw",      "positions",   "roll",       "x",     "pitch",       "height",  "interaction",
-             "cells",  "friction", "speed",       "pitch-rate", "force", "layer",       "load-of", "n",
-             "strips", "slip",     "shear-yield", "outline",    "wear",  "temperature", "stress"},
-            mode);
+        options.not_with({"side",        "yaw",    "positions", "roll",      "x",           "pitch",    "height",
+                          "interaction", "cells",  "friction",  "speed",     "pitch-rate",  "force",    "layer",
+                          "load-of",     "n",      "strips",    "slip",      "shear-yield", "outline",  "wear",
+                          "temperature", "stress", "wear-law",  "wear-step", "worn-wheel",  "worn-rail"},
+                         mode);
     }
     options.not_with({"left-wheel", "left-rail", "left-radius", "conicity"}, "virtual-penetration");
     options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
                          {"n"});
     options.set_default("n", "12");
     options.set_help("n", "number of elements in each strip [dimensionless], 1 to 100");
-    study::Options::Added{options, "n"}.only_with({"friction"});
+    study::Options::Added{options, "n"}.only_with({"friction", "positions"});
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is as wide as profiles and load make it");
     add_profile_options(options);
@@ -168,9 +177,10 @@ void add_options(study::Options& options) {
         "outline",
         "folder for CSV files of the outline and the pressures of each patch, for patch_study; none without it");
     options.add_output("wear", "CSV file of the frictional work over both profiles; none without it")
-        .only_with({"friction"});
+        .only_with({"friction", "positions"});
     options.add_output("stress", "CSV file of the largest stress below each strip; none without it")
-        .only_with({"friction"});
+        .only_with({"friction", "positions"});
+    add_wear_options(options);
     add_conicity_options(options);
     add_method_options(options);
     options.set_conventions(
@@ -183,36 +193,78 @@ void add_options(study::Options& options) {
 
 namespace {
 
-/// Shift, yaw and, by the file, roll and pitch rate.
-std::vector<Case> read_positions(const study::Options& options) {
-    const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
-        for (const auto& [k, name] : {std::pair<std::size_t, const char*>{0, "shift"}, {1, "yaw"}, {2, "roll"}}) {
-            const study::Rule& rule = k == 0 ? sideways : turn;
-            if (columns[k].empty() || rule.holds(columns[k].back())) continue;
-            throw study::BadInput(where + ": " + name + " must " + rule.text);
-        }
-    };
-    const std::vector<study::Numbers> columns =
-        study::read_columns(options, "positions", "shift,yaw", "roll;pitch_rate", check);
-    options.require(!columns[0].empty(), "positions", "have a row below its header");
-    if (!columns[2].empty()) options.ignored("roll", "with a column roll in --positions");
-    for (const char* name : {"pitch-rate", "force"}) {
-        if (!columns[3].empty()) options.ignored(name, "with a column pitch_rate in --positions");
-    }
-    const auto cell = [](const study::Numbers& column, std::size_t i) {
-        return column.empty() ? std::nullopt : std::optional(column[i]);
-    };
-    std::vector<Case> cases;
-    for (std::size_t i = 0; i < columns[0].size(); ++i) {
-        cases.push_back({columns[0][i], columns[1][i], cell(columns[2], i), cell(columns[3], i)});
-    }
-    return cases;
+/// A column of --positions beside shift and yaw.
+struct PositionColumn {
+    std::string name;
+    std::vector<std::string> options;  ///< that it replaces
+    study::Rule rule;
+    void (*set)(Case& at, double value);
+};
+
+const std::vector<PositionColumn>& position_columns() {
+    const study::Rule not_0{[](double v) { return v != 0; }, "differ from 0: creepage is slip over the velocity"};
+    static const std::vector<PositionColumn> all{
+        {"roll", {"roll"}, turn, [](Case& at, double v) { at.roll = v; }},
+        {"pitch_rate", {"pitch-rate", "force"}, study::finite(), [](Case& at, double v) { at.pitch_rate = v; }},
+        {"x", {"x"}, study::finite(), [](Case& at, double v) { at.along = v; }},
+        {"pitch",
+         {"pitch"},
+         study::between(-std::numbers::pi, std::numbers::pi),
+         [](Case& at, double v) { at.pitch = v; }},
+        {"height", {"height", "load", "load-of"}, study::finite(), [](Case& at, double v) { at.height = v; }},
+        {"load", {"load", "height"}, study::positive(), [](Case& at, double v) { at.load = v; }},
+        {"speed", {"speed"}, not_0, [](Case& at, double v) { at.speed = v; }},
+        {"friction", {"friction"}, study::not_negative(), [](Case& at, double v) { at.friction = v; }},
+        {"distance", {}, study::not_negative(), [](Case& at, double v) { at.distance = v; }},
+        {"passages", {}, study::not_negative(), [](Case& at, double v) { at.passages = v; }}};
+    return all;
 }
 
-std::vector<Case> read_cases(const study::Options& options) {
-    std::vector<Case> cases;
+/// The positions, and the columns that the file has.
+struct Positions {
+    std::vector<Case> cases{};
+    std::vector<std::string> columns{};
+
+    bool has(const std::string& column) const { return study::contains(columns, column); }
+};
+
+Positions read_positions(const study::Options& options) {
+    std::string further;
+    for (const PositionColumn& column : position_columns()) further += (further.empty() ? "" : ";") + column.name;
+    const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
+        const auto require = [&](const std::string& name, const study::Numbers& column, const study::Rule& rule) {
+            if (column.empty() || rule.holds(column.back())) return;
+            throw study::BadInput(where + ": " + name + " must " + rule.text);
+        };
+        require("shift", columns[0], sideways);
+        require("yaw", columns[1], turn);
+        for (std::size_t k = 0; k < position_columns().size(); ++k) {
+            require(position_columns()[k].name, columns[k + 2], position_columns()[k].rule);
+        }
+    };
+    const std::vector<study::Numbers> numbers = study::read_columns(options, "positions", "shift,yaw", further, check);
+    options.require(!numbers[0].empty(), "positions", "have a row below its header");
+    Positions read;
+    for (std::size_t i = 0; i < numbers[0].size(); ++i) read.cases.push_back({numbers[0][i], numbers[1][i], {}, {}});
+    for (std::size_t k = 0; k < position_columns().size(); ++k) {
+        const PositionColumn& column = position_columns()[k];
+        if (numbers[k + 2].empty()) continue;
+        read.columns.push_back(column.name);
+        for (const std::string& name : column.options) {
+            options.ignored(name, "with a column " + column.name + " in --positions");
+        }
+        for (std::size_t i = 0; i < read.cases.size(); ++i) column.set(read.cases[i], numbers[k + 2][i]);
+    }
+    options.require(!(read.has("load") && read.has("height")), "positions",
+                    "have one of the columns load and height, not both");
+    return read;
+}
+
+Positions read_cases(const study::Options& options) {
+    Positions read;
+    std::vector<Case>& cases = read.cases;
     if (options.given("positions")) {
-        cases = read_positions(options);
+        read = read_positions(options);
     } else {
         for (const double shift : options.numbers("shift", sideways)) {
             for (const double yaw : options.numbers("yaw", turn)) cases.push_back({shift, yaw, {}, {}});
@@ -233,33 +285,41 @@ std::vector<Case> read_cases(const study::Options& options) {
     }
     sweep("x", study::finite(), [](Case& at, double x) { at.along = x; });
     sweep("pitch", study::between(-std::numbers::pi, std::numbers::pi), [](Case& at, double p) { at.pitch = p; });
-    sweep("height", study::finite(), [](Case& at, double height) {
-        at.height = height;
-        at.roll = at.roll.value_or(0);
-    });
+    sweep("height", study::finite(), [](Case& at, double height) { at.height = height; });
+    for (Case& at : cases) {
+        if (at.height) at.roll = at.roll.value_or(0);
+    }
     sweep("pitch-rate", study::finite(), [](Case& at, double rate) { at.pitch_rate = rate; });
-    return cases;
+    return read;
 }
 
 /// Refuses what needs sections, and what needs that there are none.
-void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset, bool several) {
+void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset,
+                    const Positions& positions) {
     bool round = true, straight = true;
     for (const Side side : rollbem::WheelsetOnTrack::sides) {
         round = round && wheelset.wheel(side).geometry().wheel().is_round();
         straight = straight && !wheelset.wheel(side).geometry().rail().has_sections();
     }
-    if (straight) options.ignored("x", "without sections along the track (--rail FILE.slcs)");
-    if (round) options.ignored("pitch", "with round wheels (--wheel FILE.slcw has sections)");
+    const std::string no_sections = "without sections along the track (--rail FILE.slcs)",
+                      no_flats = "with round wheels (--wheel FILE.slcw has sections)";
+    if (straight) options.ignored("x", no_sections);
+    if (round) options.ignored("pitch", no_flats);
+    options.require(!straight || !positions.has("x"), "positions", "have no column x " + no_sections);
+    options.require(!round || !positions.has("pitch"), "positions", "have no column pitch " + no_flats);
     if (round && straight) return;
     const std::string reason = "with sections: it needs a round wheel on a rail of one profile";
     options.ignored("wear", reason);
-    if (several) options.ignored("plot", reason + ", or a single position");
+    for (const char* column : {"distance", "passages"}) {
+        options.require(!positions.has(column), "positions", std::string("have no column ") + column + " " + reason);
+    }
+    if (positions.cases.size() > 1) options.ignored("plot", reason + ", or a single position");
 }
 
 }  // namespace
 
 Settings read_settings(const study::Options& options) {
-    std::vector<Case> cases = read_cases(options);
+    Positions positions = read_cases(options);
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
     const rollbem::TrackDimensions track = read_dimensions(options);
     const auto cells = options.pair("cells");
@@ -270,29 +330,63 @@ Settings read_settings(const study::Options& options) {
     std::vector<Side> sides;
     if (side != "right") sides.push_back(Side::left);
     if (side != "left") sides.push_back(Side::right);
-    const std::optional<rollbem::RollingFriction> friction = read_friction(options);
+    const std::optional<rollbem::RollingFriction> friction = read_friction(options, positions.has("friction"));
+    options.require(friction.has_value() || !positions.has("speed"), "positions",
+                    "have a column friction for its column speed, or --friction");
+    std::optional<WearPlan> wear =
+        read_wear(options, positions.cases, positions.has("distance"), positions.has("passages"));
     const double load = positive("load"), speed = options.number("speed", study::finite());
     options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
     rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);
-    check_surfaces(options, wheelset, cases.size() > 1);
-    return {
-        std::move(cases),
-        std::string("shift, yaw") + (options.given("x") ? ", track_x" : "") + (options.given("pitch") ? ", pitch" : ""),
-        std::move(wheelset),
-        sides,
-        load,
-        {.cells_x = Eigen::Index(cells->first),
-         .cells_s = Eigen::Index(cells->second),
-         .interaction = options.choice("interaction", {"on", "off"}) == "on"},
-        friction,
-        speed,
-        positive("shear-yield"),
-        options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
-        options.choice("load-of", {"normal", "all"}) == "all",
-        options.text("outline"),
-        options.text("wear"),
-        options.text("stress"),
-        study::has_times(options)};
+    check_surfaces(options, wheelset, positions);
+    if (wear && !wear->worn_rail.empty()) {
+        const rollbem::TrackDimensions::Origin origin = wheelset.wheel(sides[0]).geometry().rail_origin();
+        options.note("--worn-rail: stays where it was with --rail-origin " + study::Cell(origin.y).text() + "," +
+                     study::Cell(origin.z).text());
+    }
+    const auto swept = [&](const char* name) { return options.given(name) || positions.has(name); };
+    return {std::move(positions.cases),
+            std::string("shift, yaw") + (swept("x") ? ", track_x" : "") + (swept("pitch") ? ", pitch" : ""),
+            std::move(wheelset),
+            sides,
+            load,
+            {.cells_x = Eigen::Index(cells->first),
+             .cells_s = Eigen::Index(cells->second),
+             .interaction = options.choice("interaction", {"on", "off"}) == "on"},
+            friction,
+            speed,
+            positive("shear-yield"),
+            options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
+            options.choice("load-of", {"normal", "all"}) == "all",
+            options.text("outline"),
+            options.text("wear"),
+            options.text("stress"),
+            study::has_times(options),
+            std::move(wear)};
+}
+
+rollbem::WheelsetForces forces_at(const Settings& settings, const rollbem::WheelsetOnTrack& wheelset, const Case& at) {
+    rollbem::WheelsetOnTrack::Workspace workspace;
+    using Free = rollbem::WheelsetOnTrack::Free;
+    const double load = at.load.value_or(settings.load);
+    const rollbem::WheelsetRolling rolling{
+        .position = {at.shift, at.height.value_or(0), at.roll.value_or(0), at.yaw, at.along, at.pitch},
+        .loads = {load, load},
+        .free = at.height ? Free::nothing
+                : at.roll ? Free::height
+                          : Free::height_and_roll,
+        .speeds = {.forward = settings.speed_of(at), .pitch_rate = at.pitch_rate.value_or(0)},
+        .free_pitch = !at.pitch_rate,
+        .force = settings.force,
+        .loads_include_friction = settings.loads_include_friction};
+    if (!settings.friction) {
+        rollbem::WheelsetForces found;
+        found.contacts = wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
+        return found;
+    }
+    rollbem::RollingFriction friction = *settings.friction;
+    friction.coefficient = at.friction.value_or(friction.coefficient);
+    return rolling_forces(wheelset, rolling, friction, workspace, settings.grid);
 }
 
 }  // namespace profile

@@ -2,9 +2,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
-#include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/profile_file.hpp>
+#include <rollbem/normal/profile_wear.hpp>
 
 #include "profile.hpp"
 #include "support/input.hpp"
@@ -53,6 +56,65 @@ auto opened(const study::Options& options, const std::string& source, Use use, c
     return std::move(file.surface);
 }
 
+/// Ranges of y, Y1:Y2,... Throws BadInput.
+std::vector<std::array<double, 2>> read_parts(const study::Options& options) {
+    std::vector<std::array<double, 2>> parts;
+    for (const std::string& text : options.texts("align-parts")) {
+        const std::vector<std::string> ends = study::cells_of(text, ':');
+        const auto from = study::number_of(ends.front()), to = study::number_of(ends.back());
+        options.require(ends.size() == 2 && from && to && *from < *to, "align-parts",
+                        "be ranges Y1:Y2 of y [m] with Y1 < Y2, and commas between them");
+        parts.push_back({*from, *to});
+    }
+    return parts;
+}
+
+/// The option that names a reference for profiles of this use.
+std::string reference_option(Use use) { return use == Use::wheel ? "align-wheel" : "align-rail"; }
+
+/// The profile of the option, in the axes of measured ones, and its unworn parts. Throws BadInput.
+std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> read_reference(const study::Options& options, Use use) {
+    const std::string name = reference_option(use);
+    const bool standard = is_standard(options, name, use);
+    const double offset = options.number("tape-offset", study::finite()), tape = 0.07 - offset;
+    return study::blame("--" + name, [&]() -> std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> {
+        rollbem::ProfileFileOptions how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
+                                        .tape_offset = offset};
+        const auto rail = [&] { return rollbem::open_rail(options.text(name), how, {.cant = 0}).surface; };
+        const auto wheel = [&] { return rollbem::open_wheel(options.text(name), how).surface; };
+        const bool changes = use == Use::wheel ? !standard && !wheel().is_round() : !standard && rail().has_sections();
+        if (changes) throw study::BadInput(options.said(name) + " must be one profile, without sections");
+        rollbem::Profile reference = use == Use::wheel ? wheel().profile() : rail().profile();
+        if (standard && use == Use::wheel) reference = reference.moved(0, tape, 0);
+        if (standard && use == Use::rail) reference = extended(reference, 15e-3);
+        std::vector<std::array<double, 2>> parts =
+            options.given("align-parts") ? read_parts(options) : unworn_parts(reference, use, tape);
+        return {std::move(reference), std::move(parts)};
+    });
+}
+
+/// The profile of a file moved onto the reference, the motion in the sidecar. Throws BadInput.
+rollbem::Profile aligned(const study::Options& options, const std::string& source, Use use, const rollbem::Profile& raw,
+                         bool any_shape) {
+    const auto [reference, parts] = read_reference(options, use);
+    return study::blame("--" + source, [&, &onto = reference, &fixed = parts] {
+        const rollbem::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
+        const auto in_mm = [](double length) { return study::Cell(1e3 * length).text(5) + " mm"; };
+        const std::string motion =
+            "aligned with " + options.text(reference_option(use)) + ": moved by dy = " + in_mm(found.dy) +
+            ", dz = " + in_mm(found.dz) +
+            (options.flag("align-angle") ? ", angle = " + study::Cell(1e3 * found.angle).text(5) + " mrad" : "") +
+            "; residual " + in_mm(found.residual) + " on " + study::Cell(100 * found.share).text(3) +
+            " % of the unworn parts";
+        options.note("--" + source + ": " + motion);
+        if (found.residual > 0.3e-3 || found.share < 0.5) {
+            options.doubt("--" + source + ": " + motion + ": does it fit this reference and --align-parts?");
+        }
+        const rollbem::Profile moved = raw.moved(found.angle, found.dy, found.dz);
+        return rollbem::Profile(moved.y(), moved.z(), any_shape ? Use::piece : use);
+    });
+}
+
 /// A message of the library that names options of the right side, for the left one.
 std::string of_side(std::string text, const std::string& left) {
     for (const char* name : {"--wheel-mirror", "--rail-mirror"}) {
@@ -92,12 +154,29 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
     if (options.given("cant")) placing.cant = options.number("cant", study::between(-0.5, 0.5));
     if (options.given("roller-radius")) placing.roller_radius = options.number("roller-radius", study::positive());
     try {
-        const auto wheel = opened(options, side.source("wheel"), Use::wheel, [&](const auto& name, const auto& how) {
-            return rollbem::open_wheel(name, how, any_shape);
+        const std::string wheel_source = side.source("wheel"), rail_source = side.source("rail");
+        const bool aligns_wheel = options.given("align-wheel") && !is_standard(options, wheel_source, Use::wheel),
+                   aligns_rail = options.given("align-rail") && !is_standard(options, rail_source, Use::rail);
+        auto wheel = opened(options, wheel_source, Use::wheel, [&](const auto& name, const auto& how) {
+            return rollbem::open_wheel(name, how, any_shape || aligns_wheel);
         });
-        const auto rail = opened(options, side.source("rail"), Use::rail, [&](const auto& name, const auto& how) {
-            return rollbem::open_rail(name, how, placing, any_shape);
+        auto rail = opened(options, rail_source, Use::rail, [&](const auto& name, const auto& how) {
+            return rollbem::open_rail(name, how, placing, any_shape || aligns_rail);
         });
+        if (aligns_wheel && wheel.is_round()) {
+            wheel = aligned(options, wheel_source, Use::wheel, wheel.profile(), any_shape);
+        }
+        if (aligns_rail && !rail.has_sections()) {
+            const double cant = options.number("cant", study::between(-0.5, 0.5));
+            const rollbem::Profile raw = rail.profile().moved(cant, 0, 0);
+            rollbem::Profile own = aligned(options, rail_source, Use::rail, raw, any_shape).moved(-cant, 0, 0);
+            rail = placing.roller_radius > 0 ? rollbem::RailSurface::roller(std::move(own), placing.roller_radius)
+                                             : rollbem::RailSurface(std::move(own));
+        }
+        if ((aligns_wheel && !wheel.is_round()) || (aligns_rail && rail.has_sections())) {
+            const char* const name = aligns_wheel && !wheel.is_round() ? "align-wheel" : "align-rail";
+            throw study::BadInput(options.said(name) + " has no effect with sections: align their profiles one by one");
+        }
         if (rail.has_sections() && !dimensions.rail_origin) {
             throw study::BadInput(options.said(side.source("rail")) +
                                   " must be placed by --rail-origin, as it changes along the track");
@@ -140,6 +219,19 @@ void add_profile_options(study::Options& options) {
     options.add("smooth", "X",
                 "wave length [m], 1e-4 to 0.1, of the waves in files' profiles that smoothing halves; it damps shorter "
                 "ones more; no smoothing without it");
+    options.add_input(
+        "align-wheel",
+        "s1002 or a file of the wheel, in the axes of --tape-offset, that wheels from files are moved onto "
+        "where they do not wear: back of the flange, and tread beyond y = 35 mm; not moved without it");
+    options.add_input("align-rail",
+                      "60e1, uic60, 54e1 or a file, upright as files before --cant, that rails from files are moved "
+                      "onto where they do not wear: sides from 20 mm below the top on; not moved without it");
+    options.add_flag("align-angle", "alignment by an angle, too").only_with({"align-wheel", "align-rail"});
+    options
+        .add("align-parts", "LIST",
+             "ranges Y1:Y2 of y of the reference [m] that do not wear, in place of those of --align-wheel or "
+             "--align-rail")
+        .only_with({"align-wheel", "align-rail"});
     options.group("Profiles of the left side, given as a right wheel on a right rail");
     options.add_input("left-wheel", "profile of the left wheel, as --wheel takes it; default: --wheel");
     options.add_input("left-rail", "profile of the left rail, as --rail takes it; default: --rail");
@@ -161,6 +253,15 @@ rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const roll
         all_standard = all_standard && (options.text(name).empty() || is_standard(options, name, use));
     }
     options.choice("length-unit", {"m", "mm"});
+    options.require(!options.given("align-parts") || !(options.given("align-wheel") && options.given("align-rail")),
+                    "align-parts",
+                    "be given with one of --align-wheel and --align-rail: they are parts of its reference");
+    for (const auto& [name, left, use] :
+         {std::tuple{"wheel", "left-wheel", Use::wheel}, {"rail", "left-rail", Use::rail}}) {
+        const bool from_file =
+            !is_standard(options, name, use) || (!options.text(left).empty() && !is_standard(options, left, use));
+        if (!from_file) options.ignored(reference_option(use), std::string("with a standard ") + name);
+    }
     for (const char* name : {"length-unit", "smooth", "any-shape"}) {
         if (all_standard) options.ignored(name, "without a profile from a file");
     }

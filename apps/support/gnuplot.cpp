@@ -41,7 +41,7 @@ constexpr std::string_view frame = R"(reset
 set format '%h'
 set grid lt 1 lc rgb '#dddddd' lw 1
 set key off
-set palette defined (0 '#f7fbff', 0.001 '#c6dbef', 0.5 '#2171b5', 1 '#08306b')
+set palette defined (0 '#f7fbff', 0.5 '#2171b5', 1 '#08306b')
 set cbrange [0:1]
 set cbtics 0.5
 set mcbtics 5
@@ -72,6 +72,7 @@ const Style& style_of(Look look) {
         {Look::stick_cells, {filled + "'#0072B2' dt 1", 0, false, corners, 2}},
         {Look::slip_cells, {filled + "'#E69F00' dt 1", 0, false, corners, 2}},
         {Look::cells, {"boxxyerror lc palette fs solid 1 noborder", 0, false, corners + ":5", 2}},
+        {Look::empty_cells, {"boxxyerror fs pattern 4 border rgb '#777777' lc rgb '#777777'", 0, false, corners, 2}},
         {Look::arrows, {arrows, 0, false, "1:2:($3-$1):($4-$2)", 2}}};
     return styles.at(look);
 }
@@ -197,7 +198,7 @@ std::string settle(const std::string& name, PlotAxis& axis, const Plot& plot, do
     const double low = *values.begin(), high = *values.rbegin();
     axis.logarithmic = axis.logarithmic && (high >= 3 * low || high < 1.02 * low || are_few(values));
     if (!axis.range) axis.range = with_margin(low, high, axis.logarithmic);
-    if (name == "y" && plot.to_scale) std::swap(axis.range->low, axis.range->high);
+    if (name == "y" && plot.y_down) std::swap(axis.range->low, axis.range->high);
     return "set " + name + "range [" + Cell(axis.range->low).text() + ":" + Cell(axis.range->high).text() + "]\n" +
            (axis.logarithmic         ? logarithmic(name, *axis.range, values)
             : axis.linear_within > 0 ? both_logarithms(name, axis)
@@ -288,13 +289,19 @@ void require_few_curves(const Plot& plot) {
 // A picture is one column of a page wide, 85 mm: its text is then printed in 7 points.
 constexpr double picture_width = 600, line_height = 27;
 constexpr double character = 0.6 * 18;  // of the font, as gnuplot reckons
-constexpr double left = 122;            // of the frame: marks and label of the y axis
+
+/// Of the frame: marks and label of the y axis on the left; labels of curves or the bar of colours on the right.
+struct Margins {
+    double left = 0, right = 0;
+};
 
 /// A panel while its script is written.
 struct Panel {
+    Margins needs{};
     std::string data{}, script{};
     std::vector<std::string> commands{}, legend{};
     double height = 0;
+    std::optional<double> above{}, frame{};  ///< of a frame to scale: the heights of what is above it, and its own
 };
 
 /// What panels know of those above: the title, the labels by their first line type, and what legends list.
@@ -360,6 +367,7 @@ std::string words_of(const Plot& plot, const Series& series, Above& above) {
     const auto replace = [&](std::string_view from, const std::string& to) {
         if (const std::size_t at = with.find(from); at != std::string::npos) with.replace(at, from.size(), to);
     };
+    const std::string& label = series.styled_as.empty() ? series.label : series.styled_as;
     const std::vector<Point> points = placed(plot, series);
     const auto in_view = std::count_if(points.begin(), points.end(),
                                        [&](const Point& point) { return is_in_frame(share(plot.x, point.first)); });
@@ -367,8 +375,8 @@ std::string words_of(const Plot& plot, const Series& series, Above& above) {
     if (series.points.size() == 1) replace("lines ", "points ");
     if (style.line_type > 0) {
         auto& labels = above.labels[style.line_type];
-        if (!contains(labels, series.label)) labels.push_back(series.label);
-        replace("@", std::to_string(style.line_type + int(index_of(labels, series.label) % most_curves)));
+        if (!contains(labels, label)) labels.push_back(label);
+        replace("@", std::to_string(style.line_type + int(index_of(labels, label) % most_curves)));
     }
     return with;
 }
@@ -385,14 +393,107 @@ void add_curves(Panel& panel, const Plot& plot, bool legend, Above& above) {
     }
 }
 
+/// The longest text at the marks of the y axis, in letters.
+double mark_length(const Plot& plot) {
+    const double low = std::min(plot.y.range->low, plot.y.range->high),
+                 high = std::max(plot.y.range->low, plot.y.range->high);
+    if (plot.y.linear_within > 0) return 5;
+    if (plot.y.logarithmic && low < 1e-4) return 5;
+    const double unit = std::pow(10, std::floor(std::log10(high - low))), parts = 20 / ((high - low) / unit);
+    const double step = unit * (parts > 10 ? 0.2 : parts > 4 ? 0.5 : parts > 2 ? 1 : 2);
+    std::size_t most = 0;
+    for (double k = std::ceil(low / step); k * step <= high && !plot.y.logarithmic; ++k) {
+        most = std::max(most, Cell(k * step).text(6).size());
+    }
+    for (double at = std::pow(10, std::floor(std::log10(low))); at <= high && plot.y.logarithmic; at *= 10) {
+        most = std::max(most, Cell(at).text(6).size());
+    }
+    return double(std::min<std::size_t>(most, 7));
+}
+
+/// Whether two curves differ by less than a line is wide.
+bool coincide(const Plot& plot, const Series& one, const Series& other) {
+    constexpr double line = 0.004;  // over the frame
+    const auto is_near = [&](const Point& a, const Point& b) {
+        if (!has_place(plot, a) || !has_place(plot, b)) return has_place(plot, a) == has_place(plot, b);
+        return std::abs(share(plot.x, a.first) - share(plot.x, b.first)) < line &&
+               std::abs(share(plot.y, a.second) - share(plot.y, b.second)) < line;
+    };
+    return one.look == Look::curve && other.look == Look::curve && one.points.size() > 1 &&
+           std::equal(one.points.begin(), one.points.end(), other.points.begin(), other.points.end(), is_near);
+}
+
+/// "n = 20, 40" of "n = 20" and "n = 40": labels whose last words alone differ.
+std::optional<std::string> joined_label(const std::string& first, const std::string& all, const std::string& label) {
+    const std::size_t word = label.rfind(' ');
+    if (word == std::string::npos || first.compare(0, word + 1, label, 0, word + 1) != 0) return std::nullopt;
+    if (first.find(' ', word + 1) != std::string::npos) return std::nullopt;
+    return all + ", " + label.substr(word + 1);
+}
+
+/// Draws curves that coincide as the first of them, if one label can name all.
+void join_coinciding(Plot& plot) {
+    std::vector<Series> kept;
+    for (Series& series : plot.series) {
+        bool joined = false;
+        for (Series& same : kept) {
+            if (joined || !coincide(plot, same, series)) continue;
+            const std::string first = same.styled_as.empty() ? same.label : same.styled_as;
+            const auto label = joined_label(first, same.label, series.label);
+            if (!label) continue;
+            joined = true;
+            same.styled_as = first;
+            same.label = *label;
+        }
+        if (!joined) kept.push_back(std::move(series));
+    }
+    plot.series = std::move(kept);
+}
+
+/// The notes, some a line higher, without those that would still cover one before.
+std::string notes_of(const Plot& plot) {
+    std::string script;
+    std::vector<std::pair<Point, std::size_t>> drawn;  // middles in the frame and letters
+    for (const PlotNote& note : plot.notes) {
+        const std::size_t letters = shown_length(note.text);
+        for (int line = 0; line < 2; ++line) {
+            const Point at{share(plot.x, note.x), share(plot.y, note.y) + 0.09 * line};
+            const bool has_room = std::none_of(drawn.begin(), drawn.end(), [&](const auto& other) {
+                return std::abs(other.first.first - at.first) < 0.012 * double(1 + letters + other.second) &&
+                       std::abs(other.first.second - at.second) < 0.08;
+            });
+            if (!has_room || !is_in_frame(at.first) || !is_in_frame(at.second)) continue;
+            drawn.emplace_back(at, letters);
+            script += "set label " + quoted(note.text) + " at first " + Cell(note.x).text(6) + ", first " +
+                      Cell(note.y).text(6) + " center offset 0," + (line == 0 ? "0.9" : "1.9") + "\n";
+            break;
+        }
+    }
+    return script;
+}
+
 /// The height of a frame: as usual, or to scale what its ranges ask for.
 double frame_height(const Plot& plot, double frame_width) {
     constexpr double usual = 280, least = 100, most = 480;
-    const double high = plot.y.range->low - plot.y.range->high, wide = plot.x.range->high - plot.x.range->low;
+    const double high = std::abs(plot.y.range->high - plot.y.range->low), wide = plot.x.range->high - plot.x.range->low;
     return plot.to_scale ? std::clamp(frame_width * high / wide, least, most) : usual;
 }
 
-Panel panel_of(Plot plot, Above& above) {
+/// Adds entries of the legend for labels of panels below that no curve has here.
+void add_entries(Panel& panel, const std::vector<std::string>& labels, Above& above) {
+    const Style& style = style_of(Look::curve);
+    for (const std::string& label : labels) {
+        auto& known = above.labels[style.line_type];
+        if (contains(known, label)) continue;
+        known.push_back(label);
+        panel.legend.push_back(label);
+        panel.commands.push_back("keyentry with linespoints lt " + std::to_string(known.size()) + " lw 2 title " +
+                                 quoted(label));
+    }
+}
+
+/// A panel within margins, and the margins that it needs; its legend has labels of curves below, too.
+Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vector<std::string>& below = {}) {
     std::string title = (above.title.starts_with(plot.title) ? "" : plot.title) + missing_values(plot);
     above.title = plot.title;
     if (title.starts_with("; ")) title.erase(0, 2);
@@ -400,10 +501,14 @@ Panel panel_of(Plot plot, Above& above) {
     require_few_curves(plot);
     Panel panel{.script = settle("x", plot.x, plot, &Point::first)};
     panel.script += settle("y", plot.y, plot, &Point::second);
+    join_coinciding(plot);
+    panel.script += notes_of(plot);
     std::size_t hidden = 0;
     panel.script += arrows_to_hidden(plot, hidden);
-    const std::map<double, std::string> ends = hidden > 0 ? std::map<double, std::string>{} : end_labels(plot);
-    add_curves(panel, plot, ends.empty() && (plot.series.size() > 1 || hidden > 0), above);
+    const bool only_legend = hidden > 0 || !below.empty() || plot.shares_legend;
+    const std::map<double, std::string> ends = only_legend ? std::map<double, std::string>{} : end_labels(plot);
+    add_curves(panel, plot, ends.empty() && !plot.shares_legend && (plot.series.size() > 1 || hidden > 0), above);
+    add_entries(panel, below, above);
     if (hidden > 0) {
         panel.legend.push_back(std::to_string(hidden) + " beyond the frame");
         panel.commands.push_back("keyentry with " + style_of(Look::arrows).with + " title " +
@@ -414,9 +519,17 @@ Panel panel_of(Plot plot, Above& above) {
         texts.push_back(text);
         panel.script += "set label " + quoted(text) + " at graph 1.02, graph " + Cell(height).text(4) + " left\n";
     }
-    const double beside = !plot.colours.empty() ? 110 : ends.empty() ? 25 : longest(texts) + 20;
-    const double frame_width = picture_width - left - beside, entry = longest(panel.legend) + 7 * character;
-    const double rows = std::ceil(double(panel.legend.size()) / std::max(std::floor(frame_width / entry), 1.0));
+    panel.needs = {48 + character * mark_length(plot), !plot.colours.empty() ? 110
+                                                       : ends.empty()        ? 25
+                                                                             : longest(texts) + 20};
+    const double frame_width = picture_width - margins.left - margins.right,
+                 entry = longest(panel.legend) + 7 * character;
+    const double columns = std::max(std::floor(frame_width / entry), 1.0);
+    const double rows = std::ceil(double(panel.legend.size()) / columns);
+    if (plot.to_scale) {
+        panel.above = 45 + line_height * double(lines.size());
+        panel.frame = frame_height(plot, frame_width);
+    }
     panel.height = frame_height(plot, frame_width) + (title.empty() ? 97 : 124) +
                    line_height * (double(lines.size()) + rows + (rows > 0 ? 0.5 : 0));
     for (std::string& line : lines) line = quoted(line);
@@ -424,21 +537,35 @@ Panel panel_of(Plot plot, Above& above) {
                     quoted(plot.x.label) + " offset 0,0.6\nset cblabel " + quoted(plot.colours) +
                     " offset 0.5,0\nset label " + quoted(plot.y.label) +
                     " center rotate at screen 0.035, graph 0.5\nset lmargin at screen " +
-                    Cell(left / picture_width).text(6) + "\nset rmargin at screen " +
-                    Cell(1 - beside / picture_width).text(6) + "\n" + (plot.to_scale ? to_scale(plot) : "") +
+                    Cell(margins.left / picture_width).text(6) + "\nset rmargin at screen " +
+                    Cell(1 - margins.right / picture_width).text(6) + "\n" + (plot.to_scale ? to_scale(plot) : "") +
                     (rows > 0 ? "set key on below left horizontal Left reverse samplen 3 height 0.5\n" : "");
     return panel;
 }
 
 std::string gnuplot_script(const Picture& picture, bool png) {
-    Above above;
-    std::vector<Panel> panels;
-    double height = 0;
+    Above above, unused;
+    std::vector<Plot> drawn;
+    Margins margins;
     for (Plot plot : picture) {
         if (plot.y.logarithmic) raise_zeros(plot);
         const auto empty = [&](const Series& series) { return placed(plot, series).empty(); };
         if (std::all_of(plot.series.begin(), plot.series.end(), empty)) continue;
-        height += panels.emplace_back(panel_of(plot, above)).height;
+        const Margins needs = panel_of(plot, unused, margins).needs;
+        margins = {std::max(margins.left, needs.left), std::max(margins.right, needs.right)};
+        drawn.push_back(std::move(plot));
+    }
+    std::vector<Panel> panels;
+    double height = 0;
+    for (const Plot& plot : drawn) {
+        std::vector<std::string> below;
+        for (const Plot& other : drawn) {
+            if (!panels.empty() || !other.shares_legend) continue;
+            for (const Series& series : other.series) {
+                if (series.look == Look::curve) below.push_back(series.label);
+            }
+        }
+        height += panels.emplace_back(panel_of(plot, above, margins, below)).height;
     }
     if (panels.empty()) throw PlotError("the plot has no point to draw");
     const double pixels = png ? 5.0 / 3 : 1;
@@ -450,9 +577,15 @@ std::string gnuplot_script(const Picture& picture, bool png) {
     double top = height;
     for (const Panel& panel : panels) {
         top -= panel.height;
-        script += std::string(frame) + "set size 1," + Cell(panel.height / height).text(6) + "\nset origin 0," +
-                  Cell(top / height).text(6) + "\n" + panel.script + panel.data + "plot " + join(panel.commands, ", ") +
-                  "\n";
+        const auto at_screen = [&](const char* name, double below_top) {
+            return std::string("set ") + name + " at screen " +
+                   Cell((top + panel.height - below_top) / height).text(6) + "\n";
+        };
+        script +=
+            std::string(frame) +
+            (panel.frame ? at_screen("tmargin", *panel.above) + at_screen("bmargin", *panel.above + *panel.frame) : "");
+        script += "set size 1," + Cell(panel.height / height).text(6) + "\nset origin 0," + Cell(top / height).text(6) +
+                  "\n" + panel.script + panel.data + "plot " + join(panel.commands, ", ") + "\n";
     }
     return script + "unset multiplot\n";
 }

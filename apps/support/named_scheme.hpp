@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
+#include <rollbem/discretisation/scheme.hpp>
 
 #include "options.hpp"
 

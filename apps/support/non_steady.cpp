@@ -4,18 +4,24 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/detail/plane_lambda.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 namespace study {
 
-bool plane_model_decays(const rollbem::Contact<double>& contact) {
+bool plane_model_decays(const rollbem::Contact& contact) {
     return rollbem::plane_lambda(contact.poisson_ratio(), contact.aspect()) > 0;
 }
 
-void require_plane_model(const rollbem::Contact<double>& contact) {
+void require_plane_model(const rollbem::Contact& contact) {
     if (plane_model_decays(contact)) return;
     const double nu = contact.poisson_ratio();
     throw BadInput("--aspect = " + Cell(contact.aspect()).text(6) +
@@ -67,7 +73,7 @@ std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSys
 }
 
 void require_steppable(const Scene& scene, const rollbem::RollingSystem<double>& system) {
-    const rollbem::StabilityVerdict verdict = rollbem::judge_stability<double>(system);
+    const rollbem::StabilityVerdict verdict = rollbem::judge_stability(system);
     const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
     if (verdict.status != rollbem::Status::ok) {
         throw BadInput(scheme + "has eigenvalues that were not found; they must be, or --unchecked be given");

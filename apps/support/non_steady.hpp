@@ -16,10 +16,10 @@
 namespace study {
 
 /// Whether all modes of the plane model decay, Lambda = ln(4b/a) + nu/(1-nu) > 0. Its exact solutions need that.
-bool plane_model_decays(const rollbem::Contact<double>& contact);
+bool plane_model_decays(const rollbem::Contact& contact);
 
 /// Throws BadInput unless plane_model_decays.
-void require_plane_model(const rollbem::Contact<double>& contact);
+void require_plane_model(const rollbem::Contact& contact);
 
 /// All cases of a problem in the time domain. Throws BadInput if make_scenes or require_plane_model does.
 std::vector<Scene> make_non_steady_scenes(const Options& options, const Methods& methods);

@@ -12,8 +12,8 @@ std::vector<Given> Options::given() const {
     for (const auto& [name, entry] : entries_) {
         if (!given(name) || name == "config") continue;
         const bool writes = entry.kind == Kind::output || entry.kind == Kind::table || entry.kind == Kind::folder;
-        result.push_back(
-            {name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","), !writes && name != "jobs"});
+        result.push_back({name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","),
+                          !writes && name != "jobs" && name != "csv"});
     }
     return result;
 }
@@ -42,7 +42,7 @@ void Options::check_files() const {
         if (given(name) && (is_read || is_written)) add(text(name), said(name), is_written);
         // a replay writes its own again
         if (given(name) && entry.kind == Kind::table && text(name) != "-" && !is_device(text(name)) && !replays_) {
-            add(text(name) + ".toml", said(name) + ", written beside it,", true);
+            add(text(name) + ".toml", said(name) + ", written next to it,", true);
         }
     }
 }

@@ -71,7 +71,7 @@ Options::Options(std::string program, const std::string& purpose)
     group("Program");
     add_input("config",
               "file of options, one NAME = VALUE a line, e.g. alpha-T = 0.63, mesh = cosine or n = 10,20; a FILE.toml "
-              "beside results repeats that run, without its outputs and --jobs. The command line takes precedence. "
+              "next to results repeats that run, without its outputs and --jobs. The command line takes precedence. "
               "Here, as for every FILE that is read, - is standard input");
 
     group("Discretisation");
@@ -135,8 +135,10 @@ Options::Options(std::string program, const std::string& purpose)
 
     group("Output");
     add_table("output",
-              "CSV file of the results, with FILE.toml beside it, which records how it was made and can be given to "
-              "--config; without it, and for -, standard output");
+              "CSV file of the results, with FILE.toml next to it, which records how it was made and can be given to "
+              "--config; - is standard output. Without it rows go to standard output, as CSV into files and pipes; on "
+              "a terminal people get a table of what varies and its results");
+    add_flag("csv", "CSV on standard output, also on a terminal");
     add_output("plot", "picture of the results, drawn by gnuplot; FILE ends in .svg or .png; none without it");
     add("jobs", "N",
         "number of rows computed at a time [dimensionless], 1 to 1024; above 1 the columns of times stay empty", "1");

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "sidecar.hpp"
@@ -111,6 +112,11 @@ OutputFile::~OutputFile() {
 }
 
 bool OutputFile::is_terminal() const { return ::isatty(::fileno(file_)) == 1; }
+
+std::size_t OutputFile::width() const {
+    struct winsize size = {};
+    return ::ioctl(::fileno(file_), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
 
 void OutputFile::require(bool done) {
     if (!done && errno == EPIPE) has_no_reader_ = true;

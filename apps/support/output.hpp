@@ -2,6 +2,7 @@
 // their places under names of their own, so that runs do not disturb each other: the last to finish wins.
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <deque>
 #include <string>
@@ -36,6 +37,7 @@ public:
 
     bool is_regular() const { return part_ != nullptr; }  ///< written to FILE.NUMBER.part first
     bool is_terminal() const;
+    std::size_t width() const;                             ///< of a terminal, in letters; 80 where it does not say
     bool has_no_reader() const { return has_no_reader_; }  ///< a pipe that is read no longer
     const std::string& path() const { return path_; }
     const std::string& target() const { return target_; }  ///< of a regular file: the place that it takes

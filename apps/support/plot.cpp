@@ -19,13 +19,33 @@ std::string shown_name(const std::string& column) {
 
 namespace {
 
+/// The value of a column in words.
+std::string in_words(const std::string& name, const std::string& value) {
+    static const std::map<std::string, std::map<std::string, std::string>> words{
+        {"derivative",
+         {{"fd", "finite differences"},
+          {"fd4", "finite differences of fourth order"},
+          {"analytic", "analytic derivative"}}},
+        {"method",
+         {{"galerkin", "Galerkin"},
+          {"knothe-bc", "boundary conditions of Knothe"},
+          {"nodes", "node differences"},
+          {"chebyshev", "Chebyshev states"}}},
+        {"nodes", {{"centres", "at centres"}, {"chebyshev", "at Chebyshev points"}}}};
+    if (name == "mesh" && value != "edges") return value + " mesh";
+    const auto column = words.find(name);
+    if (column == words.end()) return value;
+    const auto found = column->second.find(value);
+    return found == column->second.end() ? value : found->second;
+}
+
 /// ", name = value", or what speaks for itself.
 std::string property(const std::string& name, const std::string& value) {
     if (value.empty()) return "";
     const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos && name != "aspect";
     return ", " + (name == "kernel"       ? value + " kernel"
                    : name == "quadrature" ? "quadrature " + value
-                   : speaks               ? value
+                   : speaks               ? in_words(name, value)
                                           : shown_name(name) + " = " + value);
 }
 
@@ -67,7 +87,7 @@ void add_series(Plot& plot, const Records& records, const Selection& selection) 
     plot.series.insert(plot.series.end(), series.begin(), series.end());
 }
 
-Series map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z) {
+std::vector<Series> map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z) {
     const std::set<double> wide = records.numbers(x), high = records.numbers(y);
     /// The cell around one of several values, at the ends as wide as the gap to the only neighbour.
     const auto cell = [](const std::set<double>& values, double value) {
@@ -76,16 +96,16 @@ Series map_of(const Records& records, const std::string& x, const std::string& y
         const double before = at == values.begin() ? behind : value - *std::prev(at);
         return PlotRange{value - before / 2, value + behind / 2};
     };
-    Series series{.label = "map", .look = Look::cells};
+    Series coloured{.look = Look::cells}, empty{.label = "not defined", .look = Look::empty_cells};
     for (const Row& row : records.rows) {
         const double value = records.number(row, z);
-        if (std::isnan(value)) continue;
         const PlotRange across = cell(wide, records.number(row, x)), along = cell(high, records.number(row, y));
+        Series& series = std::isnan(value) ? empty : coloured;
         series.points.emplace_back(across.low, along.low);
         series.points.emplace_back(across.high, along.high);
-        series.values.push_back(value);
+        if (!std::isnan(value)) series.values.push_back(value);
     }
-    return series;
+    return {std::move(coloured), std::move(empty)};
 }
 
 }  // namespace study

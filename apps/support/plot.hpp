@@ -26,7 +26,8 @@ enum class Look {
     slip,
     stick_cells,  ///< filled rectangles
     slip_cells,
-    cells,  ///< rectangles, coloured by their values
+    cells,        ///< rectangles, coloured by their values
+    empty_cells,  ///< hatched, without a value
     arrows
 };
 
@@ -38,6 +39,13 @@ struct Series {
     Look look = Look::curve;
     std::vector<std::pair<double, double>> points{};  ///< two by two opposite corners of cells, tails and heads
     std::vector<double> values{};                     ///< of cells: 0 to 1
+    std::string styled_as{};                          ///< the label whose style it has, if not its own
+};
+
+/// A text above a point.
+struct PlotNote {
+    double x, y;
+    std::string text;
 };
 
 /// The largest number of curves with a label in a panel: more cannot be told apart.
@@ -60,8 +68,11 @@ struct Plot {
     std::string title{};
     PlotAxis x{}, y{};
     std::string colours{};  ///< what values of cells mean
-    bool to_scale = false;  ///< lengths along both axes, in ranges with a margin around all points; y points down
+    bool to_scale = false;  ///< both axes have one scale, in ranges with a margin around all points
+    bool y_down = false;    ///< y points down
     std::vector<Series> series{};
+    std::vector<PlotNote> notes{};  ///< drawn where they have room
+    bool shares_legend = false;     ///< its entries stand in the legend of the first panel
 };
 
 using Picture = std::vector<Plot>;
@@ -71,7 +82,7 @@ std::string shown_name(const std::string& column);
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
 /// their label, what they share is appended to the title of an empty panel. Where y is undefined the line is
-/// interrupted. A single series without a prefix is called computed. Exact lines have each point once.
+/// interrupted. Curves that coincide are drawn as one. A single series without a prefix is called computed. Exact lines have each point once.
 struct Selection {
     std::vector<std::string> by{};
     std::string x{}, y{};
@@ -83,8 +94,9 @@ struct Selection {
 
 void add_series(Plot& plot, const Records& records, const Selection& selection);
 
-/// A map: the cells around the places (x, y) of rows, halfway to their neighbours, in colours of the column z.
-Series map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z);
+/// A map: the cells around (x, y) of rows, halfway to their neighbours, in colours of the column z, and hatched where it
+/// is empty.
+std::vector<Series> map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z);
 
 /// The edge of an outline, rollbem::Outline, as a closed line.
 template <class Outline>

@@ -193,7 +193,7 @@ void require_load(const std::string& said, const Numbers& places, const Numbers&
     for (const double ratio : ratios) {
         require(ratio <= 1e12, ": load_ratio = ", ratio, " must be at most 1e12");
         require(run.breathing ? ratio > 0 : ratio >= 0, ": load_ratio = ", ratio,
-                run.breathing ? " must be positive where the mesh breathes" : " must be at least 0");
+                run.breathing ? " must be positive with --breathing" : " must be at least 0");
     }
     const double largest = *std::max_element(ratios.begin(), ratios.end());
     require(largest > 0, ": the largest load_ratio must be positive, not ", largest, "");
@@ -218,8 +218,8 @@ void read_load(const Options& options, Run& run) {
         const auto sine = options.pair("load-sine");
         const bool small = sine && (run.breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
         options.require(small && sine->second > 0, "load-sine",
-                        std::string("be A,LENGTH with ") +
-                            (run.breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
+                        std::string("be A,LENGTH with ") + (run.breathing ? "|A| < 1 with --breathing" : "|A| <= 1") +
+                            " and LENGTH > 0");
         return imposed.set("load_ratio", {sine->first, 2 * std::numbers::pi / sine->second}, 1);
     }
     if (by_history) {

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <rollbem/rolling/integrator.hpp>
+#include <rollbem/rolling/run.hpp>
 #include <rollbem/status.hpp>
 
 #include "history.hpp"

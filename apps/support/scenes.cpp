@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
 
 #include "input.hpp"
 
@@ -69,18 +69,18 @@ Cell scene_cell(const Scene& scene, const std::string& column) {
     return scene.graded_by(column) ? Cell(scene.grading) : Cell();
 }
 
-Cell aspect_cell(const rollbem::Contact<double>& contact) {
+Cell aspect_cell(const rollbem::Contact& contact) {
     return std::isfinite(contact.aspect()) ? Cell(contact.aspect()) : Cell("inf");
 }
 
-std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem) {
+std::vector<rollbem::Contact> make_contacts(const Options& options, Problem problem) {
     const Rule rule = problem == Problem::steady ? positive_or_infinite() : positive();
     const std::vector<double> aspects = options.numbers("aspect", rule);
     const std::vector<double> poisson_ratios = options.numbers("poisson", between(0, 0.5));
-    std::vector<rollbem::Contact<double>> contacts;
+    std::vector<rollbem::Contact> contacts;
     for (const double aspect : aspects) {
         for (const double poisson_ratio : poisson_ratios) {
-            contacts.push_back(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
+            contacts.push_back(rollbem::Contact::dimensionless(aspect, poisson_ratio));
         }
     }
     return contacts;
@@ -196,8 +196,7 @@ Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& f
     return tractions;
 }
 
-Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
-                 rollbem::LineModel model) {
+Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact& contact, rollbem::LineModel model) {
     if (!scheme.is_discrete()) model = rollbem::LineModel::plane;
     Scene scene{scheme, contact, rollbem::AnyKernel<double>::longitudinal(model, contact)};
     if (scheme.has_elements()) {
@@ -214,7 +213,7 @@ Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Conta
 
 std::vector<Scene> make_scenes(const Options& options, Problem problem, const Methods& methods) {
     const std::vector<NamedScheme> schemes = make_schemes(options, problem, methods);
-    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
+    const std::vector<rollbem::Contact> contacts = make_contacts(options, problem);
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";
     const rollbem::LineModel model = plane ? rollbem::LineModel::plane : rollbem::LineModel::strip;
     std::shared_ptr<const rollbem::Mesh<double>> given;
@@ -245,7 +244,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, const Me
             const bool enough = n >= (scheme.richardson ? 4 : 2);
             require(enough || scheme.method != "knothe-bc", least + " with --method knothe-bc" + halves);
             require(enough || scheme.alpha_L == scheme.alpha_T, least + " where alpha-L and alpha-T differ" + halves);
-            for (const rollbem::Contact<double>& contact : contacts) {
+            for (const rollbem::Contact& contact : contacts) {
                 scene.contact = contact;
                 scene.kernel = rollbem::AnyKernel<double>::longitudinal(scene.kernel.model(), contact);
                 options.require(!scene.chebyshev || scene.is_plane() || contact.aspect() >= narrowest_for_states,

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/status.hpp>
@@ -32,7 +32,7 @@ struct Methods {
 
 /// One case to compute, and its names in the columns.
 struct Scene : NamedScheme {
-    rollbem::Contact<double> contact;  ///< a = G = 1
+    rollbem::Contact contact;  ///< a = G = 1
     rollbem::AnyKernel<double> kernel;
     std::optional<rollbem::Chebyshev> chebyshev{};  ///< in place of mesh and equations
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
@@ -67,10 +67,10 @@ inline const std::string settings = distinctions + ",scheme";
 std::vector<std::string> columns_of(const std::string& text);
 
 /// b/a, "inf" if it is infinite.
-Cell aspect_cell(const rollbem::Contact<double>& contact);
+Cell aspect_cell(const rollbem::Contact& contact);
 
 /// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
-std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
+std::vector<rollbem::Contact> make_contacts(const Options& options, Problem problem);
 
 /// The reason why studies of steady rolling refuse --lambda.
 inline constexpr const char* no_lambda = "a steady problem builds no G, the only matrix lambda acts on";
@@ -83,8 +83,7 @@ void offer_schemes(Options& options, const Methods& methods);
 
 /// A case of n elements or states, or of the order n of a polynomial; the plane alone knows cases without either.
 /// Throws BadInput if they are too few for the mesh.
-Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
-                 rollbem::LineModel model);
+Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact& contact, rollbem::LineModel model);
 
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, const Methods& methods);

@@ -48,10 +48,10 @@ inline std::string help_line(const std::string& name, const std::string& meaning
 template <class Result, class Case = Scene>
 class Sheet {
 public:
-    /// `before` and `behind` are names of columns of the case, separated by commas; so is the name of an own column
-    /// without a value.
+    /// `before` and `behind` are names of columns of the case, separated by commas, "NAME [UNIT]" where they have units;
+    /// the name of an own column without a value is one, too.
     Sheet(const std::string& before, const std::vector<Column<Result>>& own, const std::string& behind)
-        : before_(columns_of(before)), behind_(columns_of(behind)) {
+        : before_(headings_of(before)), behind_(headings_of(behind)) {
         for (const Column<Result>& column : own) {
             for (const std::string& name : columns_of(column.name)) {
                 const bool shared = column.meaning.empty() && !own_.empty();
@@ -60,11 +60,15 @@ public:
         }
     }
 
-    std::vector<std::string> names() const {
-        std::vector<std::string> result = before_;
-        for (const Column<Result>& column : own_) result.push_back(column.name);
+    std::vector<Heading> headings() const {
+        std::vector<Heading> result = before_;
+        for (const Column<Result>& column : own_) {
+            result.push_back({column.name, unit_in(column.meaning), column.value == nullptr});
+        }
         return joined(result, behind_);
     }
+
+    std::vector<std::string> names() const { return names_of(headings()); }
 
     /// The own columns for --help.
     std::string help() const {
@@ -86,18 +90,25 @@ public:
                 throw std::logic_error("no cell of a scene for the column " + name);
             }
         };
-        for (const std::string& name : before_) add(name);
+        for (const Heading& column : before_) add(column.name);
         for (const Column<Result>& column : own_) {
             column.value ? row.push_back(column.value(result)) : add(column.name);
         }
-        for (const std::string& name : behind_) add(name);
+        for (const Heading& column : behind_) add(column.name);
         return row;
+    }
+
+    /// A table with `rows` rows for each case, whose computation is still to be set.
+    Table frame(const std::vector<Case>& cases, std::size_t rows = 1) const {
+        Table table = table_of(names(), cases, rows);
+        table.headings = headings();
+        return table;
     }
 
     /// A table with as many rows for each case as rows(case) says; compute(case, range, emit) emits their results.
     template <class Count, class Compute>
     Table table(const std::vector<Case>& cases, const Count& rows, const Compute& compute) const {
-        Table table = table_of(names(), cases);
+        Table table = frame(cases);
         for (std::size_t i = 0; i < cases.size(); ++i) table.rows_of_task[i] = std::size_t(rows(cases[i]));
         table.compute = [=, this, &cases](std::size_t task, RowRange range, const Emit& emit) {
             compute(cases[task], range, Results<Result>([&](const Result& result) { emit(row(cases[task], result)); }));
@@ -117,11 +128,11 @@ public:
     /// not of x and `without`.
     void draw(Plot& plot, const Records& records, Selection selection,
               const std::vector<std::string>& without = {}) const {
-        std::vector<std::string> by = before_;
+        std::vector<std::string> by = names_of(before_);
         for (const Column<Result>& column : own_) {
             if (!column.value) by.push_back(column.name);
         }
-        selection.by = joined(joined(std::move(by), selection.by), behind_);
+        selection.by = joined(joined(std::move(by), selection.by), names_of(behind_));
         // the columns of a scheme say what its name says
         std::erase_if(selection.by, [&](const auto& name) {
             return name == selection.x || name == "scheme" || contains(without, name);
@@ -130,9 +141,24 @@ public:
     }
 
 private:
-    std::vector<std::string> before_;
+    /// The columns of a case in a text that commas separate.
+    static std::vector<Heading> headings_of(const std::string& text) {
+        std::vector<Heading> result;
+        for (const std::string& column : columns_of(text)) {
+            result.push_back(heading_of(column));
+            result.back().of_case = true;
+        }
+        return result;
+    }
+    static std::vector<std::string> names_of(const std::vector<Heading>& headings) {
+        std::vector<std::string> names;
+        for (const Heading& heading : headings) names.push_back(heading.name);
+        return names;
+    }
+
+    std::vector<Heading> before_;
     std::vector<Column<Result>> own_;
-    std::vector<std::string> behind_;
+    std::vector<Heading> behind_;
 };
 
 }  // namespace study

@@ -60,7 +60,7 @@ std::string quoted(const std::string& name, const std::string& text) {
     const char mark = text.find('"') == std::string::npos ? '"' : '\'';
     if (text.find(mark) != std::string::npos || text.find_first_of("\n\r\\") != std::string::npos) {
         throw BadInput("--" + name + " = " + text + " must have no line break, backslash, or both \" and ', which " +
-                       "the file beside the results cannot keep");
+                       "the file next to the results cannot keep");
     }
     return mark + text + mark;
 }

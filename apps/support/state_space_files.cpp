@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 #include "csv.hpp"
 #include "progress.hpp"
@@ -16,12 +18,12 @@ namespace study {
 
 namespace {
 
-using Space = rollbem::StateSpace<double>;
+using Space = rollbem::StateSpace;
 
 /// The space reduced to --states; its singular value and bound for the sidecar.
 std::string reduce(const Options& options, Space& space, const std::string& bounded) {
     const Eigen::Index states = options.integer("states", 1, space.A.rows());
-    const rollbem::BalancedReduction<double> reduced = rollbem::balanced_reduction(space, states);
+    const rollbem::BalancedReduction reduced = rollbem::balanced_reduction(space, states);
     options.require(reduced.status == rollbem::Status::ok, "states",
                     std::string("go with a scheme that decays in time: the reduction is ") + name(reduced.status));
     space = reduced.space;

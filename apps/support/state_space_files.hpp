@@ -29,6 +29,6 @@ struct StateSpaceWords {
 /// throws std::invalid_argument), a file that cannot be opened, or if a system to be reduced does not decay; WriteError
 /// where the disk is full.
 void write_state_space(const Options& options, OutputFiles& files, std::size_t count,
-                       const std::function<rollbem::StateSpace<double>()>& make, const StateSpaceWords& words);
+                       const std::function<rollbem::StateSpace()>& make, const StateSpaceWords& words);
 
 }  // namespace study

@@ -12,6 +12,7 @@
 
 #include "input.hpp"
 #include "progress.hpp"
+#include "scenes.hpp"
 
 namespace study {
 
@@ -87,6 +88,20 @@ bool writes_nothing_else(const Options& options) {
     });
 }
 
+/// The columns for people. What tells scenes apart is of the case, also where a study has it among its results.
+std::vector<Heading> headings_of(const Table& table) {
+    std::vector<Heading> headings = table.headings;
+    if (headings.empty()) {
+        for (const std::string& name : table.columns) headings.push_back({name});
+    }
+    const std::vector<std::string> of_scene =
+        columns_of("method,derivative,mesh,n,alpha_L,alpha_T,lambda," + distinctions);
+    for (Heading& heading : headings) {
+        heading.of_case = heading.of_case || contains(of_scene, heading.name);
+    }
+    return headings;
+}
+
 /// The first of the tasks that ended early, and how many more; empty where none did.
 std::string ends_of(const Table& table) {
     std::string first;
@@ -98,6 +113,14 @@ std::string ends_of(const Table& table) {
     if (count < 2) return first;
     return first + "; " + std::to_string(count - 1) + " more of " + std::to_string(table.rows_of_task.size()) +
            " runs ended";
+}
+
+/// Calls the function that comes before all rows.
+void prepare(const Options& options, const Table& table, const std::vector<Task>& tasks) {
+    std::vector<std::size_t> indices;
+    for (const Task& task : tasks) indices.push_back(task.index);
+    Progress preparing(options.program(), 100, shows_progress(options), "percent");
+    table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
 }
 
 /// Draws the rows, and throws if runs ended early, with why the picture failed if it did.
@@ -141,15 +164,11 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     for (const std::size_t rows : table.rows_of_task) total += rows;
     const RowRange wanted{total * (index - 1) / count, total * index / count};
     const std::vector<Task> tasks = tasks_of(table, wanted);
-    const bool shows = shows_progress(options);
-    if (table.prepare) {
-        std::vector<std::size_t> indices;
-        for (const Task& task : tasks) indices.push_back(task.index);
-        Progress preparing(options.program(), 100, shows, "percent");
-        table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
-    }
-    file.write(header(table.columns));
-    Progress progress(options.program(), wanted.last - wanted.first, shows);
+    if (table.prepare) prepare(options, table, tasks);
+    const bool for_people = file.is_terminal() && !options.given("output") && !options.flag("csv");
+    TerminalTable shown(headings_of(table), options.given("scheme"));
+    if (!for_people) file.write(header(table.columns));
+    Progress progress(options.program(), wanted.last - wanted.first, shows_progress(options));
     std::size_t written = 0;
     Records kept{table.columns};
     const auto compute = [&](const Task& task, const Emit& emit) {
@@ -162,7 +181,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
             file.write(csv_line(row));
             file.flush();
         };
-        file.is_terminal() ? progress.beside(write) : write();
+        for_people ? shown.add(row) : file.is_terminal() ? progress.beside(write) : write();
         if (only_output && file.has_no_reader()) throw Unread(file.path() + " is read no longer");
         progress.update(++written);
         if (plots) kept.rows.push_back(std::move(row));
@@ -171,6 +190,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     progress.clear();
 
     // 3. The files take their names.
+    if (for_people) file.write(table.blocks ? shown.text(*table.blocks) : shown.text(file.width()));
     if (table.finish) table.finish();
     for (std::size_t i = 0; side != nullptr && i < table.beside->rows.size(); ++i) {
         for (const Row& row : table.beside->rows[i]) side->write(csv_line(row));

@@ -15,6 +15,7 @@
 #include "output.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "terminal_table.hpp"
 
 namespace study {
 
@@ -38,6 +39,8 @@ struct SideTable {
 /// The rows of a study in tasks, each computed in one go. Tasks may run at the same time in several threads.
 struct Table {
     std::vector<std::string> columns;
+    std::vector<Heading> headings{};        ///< of the columns, for people; without them all columns are results
+    std::optional<Blocks> blocks{};         ///< the form of the rows on a terminal, if not that of a table
     std::vector<std::size_t> rows_of_task;  ///< known beforehand, so that rows can be divided into shards
     /// A function called once, if set, with the tasks of this run, before any of them is computed and anything written.
     /// It reports its progress by done(part), 0 ... 1.

@@ -54,23 +54,23 @@ set xtics 0.2 nomirror scale 0.5 offset 0,0.3
 set ytics 0.5 nomirror scale 0.5 offset 0.3,0
 set xlabel 'creepage [%]' offset 0,0.8
 set label 1 'along' at 0.22,0.62 textcolor rgb blue
-set label 2 'across' at 0.22,0.22 textcolor rgb red
+set label 2 "across: at 0\nby spin alone" at 0.09,0.29 font ',20' textcolor rgb red
 plot 'overview_curve.csv' using (-percent * $5):(-$8) every ::1 with lines lw 3 lc rgb blue, \
     '' using (-percent * $5):(-$9) every ::1 with lines lw 3 dt 2 lc rgb red
 unset label
 
-set lmargin at screen 0.11; set rmargin at screen 0.6; set bmargin at screen 0.09; set tmargin at screen 0.41
-set title 'relative error of a creep coefficient over run time' offset 1,-0.6
+set lmargin at screen 0.11; set rmargin at screen 0.98; set bmargin at screen 0.09; set tmargin at screen 0.41
+set title 'how exact in which time: relative error of a creep coefficient' offset 0,-0.6
 set logscale xy
-set xrange [0.2:2e4]
+set xrange [0.5:2e4]
 set yrange [1e-18:1]
 set xtics ('1 μs' 1, '0.1 ms' 100, '10 ms' 1e4)
 set ytics ('10^{-5}' 1e-5, '10^{-10}' 1e-10, '10^{-15}' 1e-15, '1' 1)
 unset xlabel
-set label 1 'uniform mesh' at 2.6e4,3e-3 textcolor rgb red
-set label 2 "the paper's scheme" at 2.6e4,8e-6 textcolor rgb 'black'
-set label 3 'cosine, extrapolated' at 2.6e4,4.5e-12 textcolor rgb '#009e73'
-set label 4 'Chebyshev states' at 30,1e-15 textcolor rgb blue
+set label 1 'elements of one length' at 1.8e4,2.5e-1 right textcolor rgb red
+set label 2 "at the paper's points" at 1.8e4,3e-7 right textcolor rgb 'black'
+set label 3 "short elements at the\nedges, extrapolated" at 1,1e-8 left textcolor rgb '#009e73'
+set label 4 'polynomials in place of elements' at 60,1e-15 left textcolor rgb blue
 scheme(name) = sprintf('< grep "^%s,[0-9]*,c11," error_against_time.csv', name)
 plot scheme('uniform:collocation:0.5/0.5') using 5:(abs($4)) with lines lw 3 lc rgb red, \
     scheme('uniform:collocation:0/0.63') using 5:(abs($4)) with lines lw 3 dt 3 lc rgb 'black', \

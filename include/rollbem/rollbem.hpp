@@ -1,65 +1,41 @@
-// rollbem: tangential rolling contact by boundary elements, on lines and on contact patches. Includes every header that
-// needs Eigen alone; unused parts cost next to nothing to compile. Not included:
-//
-// - rollbem/reference/, which needs GSL;
-// - rollbem/compiled/, which needs the library rollbem::compiled;
-// - rollbem/studies/;
-// - vehicle/make_creep_force_table.hpp, which makes tables;
-// - vehicle/wear.hpp and the making of patches from profiles, which it includes.
+// rollbem: tangential rolling contact by boundary elements, on lines and on contact patches: line.hpp, patch.hpp,
+// stability, state spaces, and tables of creep forces. Not included: profiles.hpp and vehicle.hpp, the making of tables,
+// and rollbem/reference/, which needs GSL.
 #pragma once
 
-#include "accuracy/distance_tangent.hpp"
+#include "detail/language.hpp"
+
 #include "accuracy/recommendation.hpp"
-#include "accuracy/recommended_patch.hpp"
-#include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/response.hpp"
 #include "adhesion/stability.hpp"
-#include "adhesion/stability_count.hpp"
+#include "adhesion/state_space.hpp"
 #include "adhesion/transient.hpp"
-#include "assembly/influence.hpp"
-#include "assembly/patch_shapes.hpp"
 #include "assembly/patch_system.hpp"
 #include "assembly/rolling_system.hpp"
 #include "closed_form/carter.hpp"
-#include "closed_form/friction.hpp"
-#include "closed_form/full_sliding.hpp"
-#include "discretisation/any_scheme.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/patch_mesh.hpp"
 #include "discretisation/scheme.hpp"
-#include "elasticity/any_kernel.hpp"
-#include "elasticity/layered_kernel.hpp"
 #include "elasticity/line_kernel.hpp"
-#include "elasticity/rectangle_kernel.hpp"
+#include "elasticity/patch_kernel.hpp"
 #include "elasticity/subsurface_stress.hpp"
 #include "friction/model.hpp"
 #include "normal/hertz.hpp"
-#include "normal/hertz_ellipse.hpp"
-#include "normal/hertz_load.hpp"
-#include "normal/hertz_patch_load.hpp"
-#include "normal/pressure_grid.hpp"
-#include "normal/pressure_table.hpp"
-#include "normal/profile_file.hpp"
-#include "normal/standard_profiles.hpp"
+#include "normal/pressure.hpp"
+#include "normal/profile.hpp"
 #include "rolling/run.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"
-#include "scene/outline.hpp"
 #include "scene/patch_contact.hpp"
 #include "scene/rigid_motion.hpp"
-#include "scene/rolling_ellipse.hpp"
-#include "scene/semi_axes.hpp"
 #include "spectral/chebyshev.hpp"
 #include "spectral/polynomial.hpp"
-#include "spectral/state_space.hpp"
 #include "status.hpp"
 #include "steady/creep_coefficients.hpp"
 #include "steady/steady.hpp"
-#include "system/dissipation.hpp"
-#include "system/element_blocks.hpp"
+#include "system/rolling_system.hpp"
 #include "types.hpp"
 #include "vehicle/creep_force_table.hpp"
-#include "vehicle/reduced_friction.hpp"
 #include "vehicle/simplified_theory.hpp"

@@ -10,19 +10,23 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/studies.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 
@@ -32,7 +36,7 @@ namespace {
 using namespace rollbem;
 using Complex = std::complex<double>;
 
-const Contact<double> wide = Contact<double>::dimensionless(1000, 0.28);
+const Contact wide = Contact::dimensionless(1000, 0.28);
 const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(wide);
 
 TEST_CASE("Extrapolation succeeds where the error has the assumed order, and only there", "[richardson]") {
@@ -110,10 +114,9 @@ double harmonic_error(const Recommended& best, const AnyKernel<double>& own, con
 
 // The force at q/a = dq, 2 dq, ... after a step of creepage, without the error of an integrator.
 std::vector<double> step_forces(double aspect, double nu, const RollingSystem<double>& system, double dq, int count) {
-    const AdhesionModel<> model(Contact<double>::dimensionless(aspect, nu), system, unchecked,
-                                Integrator::matrix_exponential);
+    const AdhesionModel<> model(Contact::dimensionless(aspect, nu), system, unchecked, Integrator::matrix_exponential);
     AdhesionWorkspace<> workspace = model.workspace();
-    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionState state = model.at_rest(), next = state;
     std::vector<double> forces;
     for (int k = 0; k < count; ++k) {
         forces.push_back(-model.advance(state, {dq, 1.0}, next, workspace).force_per_width);
@@ -216,7 +219,7 @@ TEST_CASE("Elements recommended for a time loop stay below their error bound", "
             const auto best = recommended_elements(tolerance, Purpose::time_loop);
             CHECK(best.order == 0);
             const ElementSystem<double> system = rolling_system(best.mesh(best.n), best.scheme, own);
-            const UnstableCount count = count_unstable<double>(system);
+            const UnstableCount count = count_unstable(system);
             CHECK(count.status == Status::ok);
             CHECK(count.unstable_count == 0);
             check_promise(best, tolerance, tolerance > 0.05 ? 1e3 : 3, step_error(aspect, nu, system, 0.05, exact));
@@ -341,21 +344,21 @@ constexpr double peak = 1e-3, full = peak * std::numbers::pi / 2;  // mu p_0 and
 
 // |F|/(mu N) in steady rolling at creepage ratios.
 std::vector<double> exact_friction(const Scene& scene, const std::vector<double>& ratios) {
-    const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.nu);
+    const Contact contact = Contact::dimensionless(scene.aspect, scene.nu);
     std::vector<double> exact;
     for (const double ratio : ratios) {
         const double creepage = 2 * (1 - scene.nu) * peak * ratio;
-        exact.push_back(scene.is_strip() ? -studies::solve_stick_border(contact, scene.kernel(), 1.0,
-                                                                        HertzPressure<double>{peak}, creepage)
-                                                   .force_per_width /
-                                               full
-                                         : carter_force_ratio(ratio));
+        exact.push_back(scene.is_strip()
+                            ? -studies::solve_stick_border(contact, scene.kernel(), 1.0, HertzPressure{peak}, creepage)
+                                      .force_per_width /
+                                  full
+                            : carter_force_ratio(ratio));
     }
     return exact;
 }
 std::vector<double> friction_by_elements(const Scene& scene, const std::vector<double>& ratios,
                                          const Mesh<double>& mesh, const AnyScheme& scheme) {
-    const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.nu);
+    const Contact contact = Contact::dimensionless(scene.aspect, scene.nu);
     const FrictionModel model(contact, steady_system(mesh, scheme, scene.kernel()),
                               {1, peak * mean_hertz_pressure(mesh)});
     FrictionState now = model.at_rest(), next = now;

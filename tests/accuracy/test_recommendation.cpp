@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/scene/force.hpp>
+#include <rollbem/scene/creepage.hpp>
 
 #include "support/catch.hpp"
 
@@ -49,11 +47,11 @@ TEST_CASE("The tangent by the distance rolled is exact for squares and not for c
         const auto power = [](int exponent) {
             return [exponent](double distance) {
                 CHECK(distance >= 0);
-                return TangentialForce<double>{std::pow(distance, exponent), 1, 2 * distance};
+                return TangentialForce{std::pow(distance, exponent), 1, 2 * distance};
             };
         };
         CAPTURE(dq);
-        const TangentialForce<double> square = tangent_by_distance(dq, 1, power(2));
+        const TangentialForce square = tangent_by_distance(dq, 1, power(2));
         CHECK(std::abs(square.longitudinal - 2 * dq) < 1e-10 * (1e-5 + dq));
         CHECK(std::abs(square.lateral) < 1e-10);
         CHECK(std::abs(square.moment - 2) < 1e-10);

@@ -6,7 +6,13 @@
 #include <vector>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -37,8 +43,7 @@ std::vector<double> scan() {
     return z;
 }
 
-double largest_difference(const StateSpace<double>& one, const StateSpace<double>& other,
-                          const std::vector<double>& z = scan()) {
+double largest_difference(const StateSpace& one, const StateSpace& other, const std::vector<double>& z = scan()) {
     double largest = 0;
     for (const double at : z) {
         largest =
@@ -47,10 +52,10 @@ double largest_difference(const StateSpace<double>& one, const StateSpace<double
     return largest;
 }
 
-double abscissa(const StateSpace<double>& space) { return dense::spectrum(space.A).values.real().maxCoeff(); }
+double abscissa(const StateSpace& space) { return dense::spectrum(space.A).values.real().maxCoeff(); }
 
 // A dense system that decays, with k inputs and outputs.
-StateSpace<double> drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
+StateSpace drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
     drawn::Draw draw(seed);
     const auto matrix = [&](Eigen::Index rows, Eigen::Index columns) {
         Eigen::MatrixXd entries(rows, columns);
@@ -59,20 +64,20 @@ StateSpace<double> drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
         }
         return entries;
     };
-    StateSpace<double> space{matrix(n, n), matrix(n, k), matrix(k, n), matrix(k, k)};
+    StateSpace space{matrix(n, n), matrix(n, k), matrix(k, n), matrix(k, k)};
     space.A.diagonal().array() -= dense::spectrum(space.A).values.real().maxCoeff() + 0.1;
     return space;
 }
 
 struct Scene {
     const char* name;
-    StateSpace<double> space;
+    StateSpace space;
 };
 
 std::vector<Scene> scenes() {
-    return {{"cosine", state_space<double>(rolling_system(cosine_mesh(24), Collocation{0.5, 0.5}, plane))},
-            {"uniform", state_space<double>(rolling_system(uniform_mesh(20), Collocation{0, 0.63},
-                                                           StripKernel<double>(0.5, 0.75, 0.25)))},
+    return {{"cosine", state_space(rolling_system(cosine_mesh(24), Collocation{0.5, 0.5}, plane))},
+            {"uniform",
+             state_space(rolling_system(uniform_mesh(20), Collocation{0, 0.63}, StripKernel<double>(0.5, 0.75, 0.25)))},
             {"chebyshev", state_space(Chebyshev{30}, plane)},
             {"drawn", drawn(20, 3, 1)},
             {"drawn, one input", drawn(17, 1, 2)}};
@@ -82,7 +87,7 @@ TEST_CASE("A reduced system has the steady state of the original, decays, and ke
     for (const auto& [scene, space] : scenes()) {
         const Eigen::MatrixXcd steady = dense::transfer(space, 0);
         for (const Eigen::Index states : {1, 2, 3, 5, 8, 12, 17}) {
-            const BalancedReduction<double> reduced = balanced_reduction(space, states);
+            const BalancedReduction reduced = balanced_reduction(space, states);
             CAPTURE(scene, states, reduced.error_bound);
             REQUIRE(reduced.status == Status::ok);
             const Eigen::Index K = reduced.space.A.rows(), count = reduced.hankel_singular_values.size();
@@ -124,7 +129,7 @@ Eigen::MatrixXd gramian(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
 TEST_CASE("Hankel singular values agree with the product of both Gramians", "[reduction]") {
     for (const unsigned seed : {3U, 4U, 5U}) {
         const Eigen::Index k = seed - 2;
-        const StateSpace<double> space = drawn(7, k, seed);
+        const StateSpace space = drawn(7, k, seed);
         const Eigen::MatrixXd product =
             dense::product(gramian(space.A, space.B), gramian(space.A.transpose(), space.C.transpose()));
         Eigen::ArrayXd squares = dense::spectrum(product).values.real();
@@ -138,9 +143,9 @@ TEST_CASE("Hankel singular values agree with the product of both Gramians", "[re
 TEST_CASE("Reductions are nested: the reduced system has the first singular values", "[reduction]") {
     for (const auto& [scene, space] : scenes()) {
         CAPTURE(scene);
-        const BalancedReduction<double> ten = balanced_reduction(space, 10), four = balanced_reduction(space, 4);
+        const BalancedReduction ten = balanced_reduction(space, 10), four = balanced_reduction(space, 4);
         REQUIRE(ten.space.A.rows() == 10);
-        const BalancedReduction<double> again = balanced_reduction(ten.space, 4);
+        const BalancedReduction again = balanced_reduction(ten.space, 4);
         REQUIRE(again.hankel_singular_values.size() == 10);
         const double unit = ten.hankel_singular_values[0];
         CHECK((again.hankel_singular_values - ten.hankel_singular_values.head(10)).abs().maxCoeff() < 1e-12 * unit);
@@ -156,23 +161,23 @@ TEST_CASE("Reductions are nested: the reduced system has the first singular valu
 
 TEST_CASE("One state of closed form", "[reduction]") {
     // b c/(s + lambda): sigma = |b c|/(2 lambda)
-    const StateSpace<double> space{Eigen::MatrixXd::Constant(1, 1, -3), Eigen::MatrixXd::Constant(1, 1, 2),
-                                   Eigen::MatrixXd::Constant(1, 1, -5), Eigen::MatrixXd::Constant(1, 1, 7)};
-    const BalancedReduction<double> same = balanced_reduction(space, 1);
+    const StateSpace space{Eigen::MatrixXd::Constant(1, 1, -3), Eigen::MatrixXd::Constant(1, 1, 2),
+                           Eigen::MatrixXd::Constant(1, 1, -5), Eigen::MatrixXd::Constant(1, 1, 7)};
+    const BalancedReduction same = balanced_reduction(space, 1);
     CHECK(std::abs(same.hankel_singular_values[0] - 10.0 / 6) < 4 * eps);
     CHECK(same.error_bound == 0);
     CHECK(largest_difference(same.space, space) < 20 * eps);
 }
 
 TEST_CASE("What cannot be reduced has a status", "[reduction]") {
-    const auto status = [](StateSpace<double> space) {
-        const BalancedReduction<double> reduced = balanced_reduction(space, 2);
+    const auto status = [](StateSpace space) {
+        const BalancedReduction reduced = balanced_reduction(space, 2);
         if (reduced.status != Status::ok) CHECK(reduced.space.A.size() == 0);
         return reduced.status;
     };
-    const StateSpace<double> decays = drawn(6, 2, 8);
+    const StateSpace decays = drawn(6, 2, 8);
     CHECK(status(decays) == Status::ok);
-    StateSpace<double> space = decays;
+    StateSpace space = decays;
     space.A.diagonal().array() += 0.2;
     CHECK(status(space) == Status::unstable);
     space = decays;
@@ -189,13 +194,12 @@ TEST_CASE("What cannot be reduced has a status", "[reduction]") {
     space.C *= 1e300;
     CHECK(status(space) == Status::not_finite);
     // a discretisation whose modes grow
-    CHECK(status(state_space<double>(rolling_system(uniform_mesh(20), Collocation{0.5, 1.2}, plane))) ==
-          Status::unstable);
+    CHECK(status(state_space(rolling_system(uniform_mesh(20), Collocation{0.5, 1.2}, plane))) == Status::unstable);
 }
 
 TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[reduction]") {
-    const StateSpace<double> good = drawn(6, 2, 9);
-    const auto told = [](const StateSpace<double>& space, Eigen::Index states) {
+    const StateSpace good = drawn(6, 2, 9);
+    const auto told = [](const StateSpace& space, Eigen::Index states) {
         return refusal([&] { balanced_reduction(space, states); });
     };
     CHECK(told(good, 6).empty());
@@ -203,7 +207,7 @@ TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[
         CHECK_THAT(told(good, states),
                    ContainsSubstring("balanced_reduction: states = ") && ContainsSubstring("must lie in [1, 6]"));
     }
-    StateSpace<double> bad = good;
+    StateSpace bad = good;
     bad.A.resize(6, 5);
     CHECK_THAT(told(bad, 2), ContainsSubstring("number of columns of A = 5"));
     bad = good;
@@ -217,13 +221,12 @@ TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[
     CHECK_THAT(told(bad, 2), ContainsSubstring("number of rows of D = 1"));
     bad.D.resize(2, 1);
     CHECK_THAT(told(bad, 2), ContainsSubstring("number of columns of D = 1"));
-    for (MatrixX<double> StateSpace<double>::*matrix :
-         {&StateSpace<double>::A, &StateSpace<double>::B, &StateSpace<double>::C, &StateSpace<double>::D}) {
+    for (MatrixX<double> StateSpace::*matrix : {&StateSpace::A, &StateSpace::B, &StateSpace::C, &StateSpace::D}) {
         bad = good;
         (bad.*matrix)(1, 0) = std::numeric_limits<double>::quiet_NaN();
         CHECK_THAT(told(bad, 2), ContainsSubstring("(1, 0) = nan must be finite"));
     }
-    CHECK_THAT(told(StateSpace<double>{}, 1), ContainsSubstring("number of rows of A = 0"));
+    CHECK_THAT(told(StateSpace{}, 1), ContainsSubstring("number of rows of A = 0"));
 }
 
 }  // namespace

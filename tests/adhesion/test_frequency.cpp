@@ -7,9 +7,14 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -23,7 +28,7 @@ using Complex = std::complex<double>;
 constexpr double nu = 0.25;
 
 PlaneKernel<double> plane(double aspect) {
-    return PlaneKernel<double>::longitudinal(Contact<double>::dimensionless(aspect, nu));
+    return PlaneKernel<double>::longitudinal(Contact::dimensionless(aspect, nu));
 }
 
 /// c11(z) of the plane model in closed form.
@@ -40,7 +45,7 @@ std::vector<double> logarithmic(double first, double last, int count) {
     return values;
 }
 
-double largest_error(const FrequencySweep<double>& sweep, double aspect, double first, double last) {
+double largest_error(const FrequencySweep& sweep, double aspect, double first, double last) {
     double error = 0;
     for (const double z : logarithmic(first, last, 60)) {
         const Response<Complex> point = sweep(z);
@@ -52,14 +57,12 @@ double largest_error(const FrequencySweep<double>& sweep, double aspect, double 
 
 TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]") {
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    CHECK(largest_error(FrequencySweep<double>(rolling_system(cosine_mesh(60), scheme, plane(1000))), 1000, 1e-3, 5) <
-          3e-4);
+    CHECK(largest_error(FrequencySweep(rolling_system(cosine_mesh(60), scheme, plane(1000))), 1000, 1e-3, 5) < 3e-4);
     const std::vector<double> sizes{80, 120, 160, 240, 320};
     std::vector<double> errors;
     for (const double n : sizes) {
         const Mesh<double> mesh = cosine_mesh(static_cast<Eigen::Index>(n));
-        errors.push_back(
-            largest_error(FrequencySweep<double>(rolling_system(mesh, scheme, plane(1000))), 1000, 1e-3, 5));
+        errors.push_back(largest_error(FrequencySweep(rolling_system(mesh, scheme, plane(1000))), 1000, 1e-3, 5));
     }
     const double order = support::observed_order(sizes, errors);
     CAPTURE(order);
@@ -70,7 +73,7 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
 TEST_CASE("A sweep reports a scheme that does not converge to full adhesion", "[frequency]") {
     for (const double alpha : {-0.5, 0.0, 1.5}) {
         for (const Eigen::Index n : {20, 21}) {  // G' is singular for alpha = 0 and n = 21
-            const FrequencySweep<double> sweep(rolling_system(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000)));
+            const FrequencySweep sweep(rolling_system(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000)));
             CAPTURE(alpha, n);
             for (const double z : {1e-3, 1.0}) {
                 CHECK(sweep(z).status == Status::assists_creepage);
@@ -84,7 +87,7 @@ TEST_CASE("A sweep reports a scheme that does not converge to full adhesion", "[
 TEST_CASE("The sweep and the direct solution agree at real frequencies and at complex growth rates", "[frequency]") {
     const auto check = [](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         REQUIRE(sweep.reduced());
         for (const Complex s :
              {Complex(0, 0), Complex(0, 1e-3), Complex(0, 1), Complex(0, -1), Complex(0, 7.3), Complex(0, 60),
@@ -123,12 +126,12 @@ TEST_CASE("A sweep solves by LU where G' is nearly singular", "[frequency]") {
     const auto mesh = uniform_mesh(40);
     const Collocation scheme{.alpha_L = 0, .alpha_T = 1.35};
     const RollingSystem<double> system = rolling_system(mesh, scheme, plane(1000));
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     CHECK_FALSE(sweep.reduced());
     CHECK(sweep(1.0).c11() == solve_response(system, {0, 1.0}).c11());
     MatrixX<double> singular = system.G_prime();
     singular.row(1) = singular.row(0);
-    CHECK(FrequencySweep<double>(ElementSystem<double>(system.G(), singular, mesh.widths()))(0.0).status != Status::ok);
+    CHECK(FrequencySweep(ElementSystem<double>(system.G(), singular, mesh.widths()))(0.0).status != Status::ok);
 }
 
 TEST_CASE("The sweep and the direct solution report a frequency at which the equations are singular", "[frequency]") {
@@ -137,7 +140,7 @@ TEST_CASE("The sweep and the direct solution report a frequency at which the equ
     const Complex s = 1 + std::numeric_limits<double>::epsilon();
     for (const Eigen::Vector2d& entries : {Eigen::Vector2d(-1, -3), Eigen::Vector2d(-3, -1)}) {
         const RollingSystem<double> system(entries.asDiagonal(), -MatrixX<double>::Identity(2, 2), two);
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         REQUIRE(sweep.reduced());
         CHECK(sweep.at(s).status == Status::ill_conditioned);
         CHECK(solve_response(system, s).status == Status::ill_conditioned);
@@ -150,7 +153,7 @@ TEST_CASE("A sweep handles a zero pivot", "[frequency]") {
     // I - s H = [.5 -.25; -.25 0]
     const ArrayX<double> two = ArrayX<double>::Ones(2);
     const RollingSystem<double> system(-Eigen::Matrix2d{{0.5, 0.25}, {0.25, 1}}, -MatrixX<double>::Identity(2, 2), two);
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     REQUIRE(sweep.reduced());
     const Response<Complex> point = sweep.at(1.0);
     const Response<Complex> full = solve_response(system, 1.0);
@@ -164,7 +167,7 @@ TEST_CASE("Two equal equations are detected at any frequency", "[frequency]") {
     const ArrayX<double> three = ArrayX<double>::Ones(3);
     const RollingSystem<double> system(Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
                                        Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80, three);
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     CHECK_FALSE(sweep.reduced());
     CHECK(sweep(0).status == Status::ill_conditioned);
     CHECK(solve_response(system, {0, 0}).status == Status::ill_conditioned);

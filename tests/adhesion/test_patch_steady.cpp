@@ -6,13 +6,21 @@
 #include <numbers>
 #include <vector>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/detail/decay_proof.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/studies/kalker_table.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "studies/kalker_table.hpp"
 #include "support/catch.hpp"
 #include "support/moved_mesh.hpp"
 
@@ -37,15 +45,15 @@ struct Solved : CreepCoefficients<Scalar> {
 };
 
 template <class Scalar>
-Solved<Scalar> solved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh) {
+Solved<Scalar> solved(const PatchContact& contact, const PatchMesh<Scalar>& mesh) {
     const Response<Scalar> response = solve_steady(contact, mesh, chebyshev);
     return {creep_coefficients(contact, response), response};
 }
 
 template <class Scalar = double>
 Solved<Scalar> solved(double a_over_b, double nu, Eigen::Index n, Eigen::Index m) {
-    const auto contact = PatchContact<Scalar>::dimensionless(static_cast<Scalar>(a_over_b), static_cast<Scalar>(nu));
-    return solved(contact, patch_mesh(contact, n, m));
+    const auto contact = PatchContact::dimensionless(a_over_b, nu);
+    return solved(contact, patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m)));
 }
 
 /// Limits of small elements, extrapolated from up to 48 x 48 elements: errors below 5e-3 (c33) and 1e-3.
@@ -135,7 +143,7 @@ TEST_CASE("patch_steady: wide patches have Kalker's limits, on cosine and on uni
             // Kalker 1990, appendix E
             const double c23 = pi * std::sqrt(a_over_b) / 3 / (1 - nu) *
                                (1 + nu * (std::log(16 / (a_over_b * a_over_b)) / 2 + std::log(4.0) - 5));
-            const auto contact = PatchContact<double>::dimensionless(a_over_b, nu);
+            const auto contact = PatchContact::dimensionless(a_over_b, nu);
             for (const bool uniform : {false, true}) {
                 INFO("a/b " << a_over_b << ", nu " << nu << ", uniform " << uniform);
                 const auto patch =
@@ -153,9 +161,9 @@ TEST_CASE("patch_steady: wide patches have Kalker's limits, on cosine and on uni
 
 TEST_CASE("patch_steady: wide patches have the couplings of narrow strips in the time domain") {
     const auto response = [](Eigen::Index strips) {
-        const auto contact = PatchContact<double>::dimensionless(0.03, 0.5);
+        const auto contact = PatchContact::dimensionless(0.03, 0.5);
         const PatchMesh<double> mesh = patch_mesh(contact, 6, strips);
-        const FrequencySweep<double> sweep(patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.5)));
+        const FrequencySweep sweep(patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.5)));
         return creep_coefficients(contact, sweep(1));
     };
     const auto few = response(8), many = response(24);
@@ -168,7 +176,7 @@ TEST_CASE("patch_steady: shapes on both sides of wide patches are interpolated a
     const PatchShapes<double> shapes(6, 6, chebyshev, HalfSpace<double>(0.5),
                                      {.least = 0.1, .largest = 0.18, .factor = 1.16});
     for (const double a_over_b : {0.11, 0.125}) {
-        const auto contact = PatchContact<double>::dimensionless(a_over_b, 0.5);
+        const auto contact = PatchContact::dimensionless(a_over_b, 0.5);
         const auto whole = shapes.system(a_over_b).joined();
         const auto own = rolling_system(patch_mesh(contact, 6, 6), chebyshev, HalfSpace<double>(0.5)).joined();
         CHECK((whole.G_prime() - own.G_prime()).cwiseAbs().maxCoeff() < 1e-3 * own.G_prime().cwiseAbs().maxCoeff());
@@ -207,7 +215,7 @@ TEST_CASE("patch_steady: coarse meshes do not pass for right") {
     // a corner in front: c23 26 % off
     const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -0.5, 0.5), base = ArrayX<double>::Constant(3, -0.5),
                          tip = (ArrayX<double>(3) << -0.5, 1, -0.5).finished();
-    const PatchContact<double> triangle(Outline<double>(y, base, tip), 1, 0);
+    const PatchContact triangle(Outline(y, base, tip), 1, 0);
     const auto corner = solved(triangle, patch_mesh(triangle, 12, 8));
     CHECK_FALSE(is_confirmed(corner.response, 1, 2));
 }
@@ -221,7 +229,7 @@ TEST_CASE("patch_steady: coefficients of ellipses that one finer mesh does not d
     // far off, although one finer mesh hardly changes them
     for (const Coarse& mesh : {Coarse{5, 2, 8, 0.345}, {7, 4, 8, 0.282}, {6, 8, 6, 0.308}}) {
         INFO("a/b " << mesh.a_over_b << ", " << mesh.n << " x " << mesh.m);
-        const auto contact = PatchContact<double>::dimensionless(mesh.a_over_b, 0.5);
+        const auto contact = PatchContact::dimensionless(mesh.a_over_b, 0.5);
         const Mesh<double> across = mesh.m == 8 ? uniform_mesh(mesh.m) : cosine_mesh(mesh.m);
         const auto coarse = solved(contact, patch_mesh(contact, cosine_mesh(mesh.n), across));
         CHECK(relative(coarse.c33, mesh.c33) > 0.1);
@@ -231,7 +239,7 @@ TEST_CASE("patch_steady: coefficients of ellipses that one finer mesh does not d
         CHECK(relative(fine.c33, mesh.c33) < 0.05);
     }
     // strips of no use: all but two of ten close together in the middle
-    const auto circle = PatchContact<double>::dimensionless(1, 0.28);
+    const auto circle = PatchContact::dimensionless(1, 0.28);
     ArrayX<double> edges = ArrayX<double>::LinSpaced(11, -0.1, 0.1);
     edges[0] = -1;
     edges[10] = 1;
@@ -263,8 +271,7 @@ TEST_CASE("patch_steady: coefficients of outlines that half as many strips do no
         const auto array = [](const std::vector<double>& of) -> ArrayX<double> {
             return Eigen::Map<const ArrayX<double>>(of.data(), Eigen::Index(of.size()));
         };
-        const PatchContact<double> contact(Outline<double>(array(shape.y), array(shape.trailing), array(shape.leading)),
-                                           1, shape.nu);
+        const PatchContact contact(Outline(array(shape.y), array(shape.trailing), array(shape.leading)), 1, shape.nu);
         const auto patch = solved(contact, patch_mesh(contact, cosine_mesh(shape.n), shape.across));
         CHECK(relative(patch.response.coefficients(0, 0), shape.c11) > 0.15);
         CHECK(patch.status == Status::not_converged);
@@ -279,7 +286,7 @@ TEST_CASE("patch_steady: a kernel without means of the coupling is not trusted o
         RectangleInfluence<double> corner(double x, double y) const { return half_space.corner(x, y); }
         bool couples() const { return true; }
     };
-    const auto contact = PatchContact<double>::dimensionless(0.01, 0.28);
+    const auto contact = PatchContact::dimensionless(0.01, 0.28);
     for (const bool uniform : {false, true}) {  // c23 and -c32 16 % off on uniform strips, and equal
         const auto response =
             solve_steady(contact, patch_mesh(contact, cosine_mesh(8), uniform ? uniform_mesh(12) : cosine_mesh(12)),
@@ -315,7 +322,7 @@ TEST_CASE("patch_steady: a wide rectangle tends to the line contact") {
     // F_x = -(2 a) (2 b) ... of a line is a G c11 per width, c11 = pi/(2 (1 - nu)); c^2 = 4 a b/pi
     const double nu = 0.3, b = 200;
     const ArrayX<double> y = (ArrayX<double>(2) << -b, b).finished(), one = ArrayX<double>::Ones(2);
-    const PatchContact<double> contact(Outline<double>(y, -one, one), 1, nu);
+    const PatchContact contact(Outline(y, -one, one), 1, nu);
     const auto patch = solved(contact, patch_mesh(contact, 40, 24));
     CHECK(patch.status == Status::ok);
     const double per_width = patch.c11 * (4 * b / pi) / (2 * b);
@@ -328,10 +335,10 @@ TEST_CASE("patch_steady: the unit of length is free") {
         const ArrayX<double> y = ArrayX<double>::LinSpaced(4, -1, 1) * size;
         const ArrayX<double> leading = (ArrayX<double>(4) << 0, 1, 0.7, 0.2).finished() * size;
         const ArrayX<double> trailing = (ArrayX<double>(4) << 0, -0.5, -0.9, 0).finished() * size;
-        return Outline<double>(y, trailing, leading);
+        return Outline(y, trailing, leading);
     };
     const auto coefficients = [&](double size) {
-        const PatchContact<double> contact(outline(size), 1, 0.28);
+        const PatchContact contact(outline(size), 1, 0.28);
         return solved(contact, patch_mesh(contact, 8, 8));
     };
     const auto metres = coefficients(5e-3), one = coefficients(1);
@@ -342,16 +349,16 @@ TEST_CASE("patch_steady: the unit of length is free") {
 
 TEST_CASE("patch_steady: forces in SI units agree with Kalker's coefficients") {
     const double a = 6e-3, b = 4e-3, G = 8e10, c = std::sqrt(a * b), xi = 1e-4, eta = -2e-4, phi = 0.3;
-    const PatchContact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
+    const PatchContact contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
     const auto steady = solved(contact, patch_mesh(contact, 6, 6));
-    const TangentialForce<double> force = creep_force(contact, steady.response, {xi, eta, phi});
+    const TangentialForce force = creep_force(contact, steady.response, {xi, eta, phi});
     CHECK_THAT(force.longitudinal, WithinRel(-G * a * b * steady.c11 * xi, 1e-13));
     CHECK_THAT(force.lateral, WithinRel(-G * a * b * (steady.c22 * eta + c * steady.c23 * phi), 1e-12));
     CHECK_THAT(force.moment, WithinRel(-G * a * b * c * (steady.c32 * eta + c * steady.c33 * phi), 1e-12));
 }
 
 TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
-    const auto contact = PatchContact<double>::dimensionless(1, 0.25);
+    const auto contact = PatchContact::dimensionless(1, 0.25);
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
     const double y0 = 0.3;
     const auto centred = solved(contact, mesh), off = solved(contact, support::moved(mesh, 0, y0));
@@ -364,7 +371,7 @@ TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
 }
 
 TEST_CASE("patch_steady: pieces of a plane make the whole, and far from each other stick each for itself") {
-    const auto contact = PatchContact<double>::dimensionless(1, 0.25);
+    const auto contact = PatchContact::dimensionless(1, 0.25);
     const PatchMesh<double> mesh = support::moved(patch_mesh(contact, 8, 6), 0, 0.1);
     const auto piece = [&](Eigen::Index first, Eigen::Index count) {
         Eigen::ArrayXd edges(count + 1);
@@ -413,10 +420,10 @@ TEST_CASE("patch_steady: frequency response") {
         {2, 1, 1.9231 - 2.8247i, 2.1767 - 2.7955i, 0.4682 - 1.8325i, 2.2111 + 0.3380i},
     };
     for (const Eigen::Index n : {12, 24}) {
-        std::map<double, FrequencySweep<double>> sweeps;
+        std::map<double, FrequencySweep> sweeps;
         for (const Case& known : cases) {
             if (n == 24 && known.a_over_b == 1) continue;  // takes long
-            const auto contact = PatchContact<double>::dimensionless(known.a_over_b, 0.28);
+            const auto contact = PatchContact::dimensionless(known.a_over_b, 0.28);
             const PatchMesh<double> mesh = patch_mesh(contact, n, n);
             if (!sweeps.contains(known.a_over_b)) {
                 const HalfSpace<double> kernel(0.28);
@@ -436,10 +443,10 @@ TEST_CASE("patch_steady: frequency response") {
 }
 
 TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugate; patches decay") {
-    const auto contact = PatchContact<double>::dimensionless(2, 0.3);
+    const auto contact = PatchContact::dimensionless(2, 0.3);
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
     const auto parts = patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.3));
-    const FrequencySweep<double> sweep(parts);
+    const FrequencySweep sweep(parts);
     const auto steady = solved(contact, mesh);
     CHECK_THAT(creep_coefficients(contact, sweep(0)).c33.real(), WithinRel(steady.c33, 1e-12));
     CHECK((sweep(0).coefficients - steady.response.coefficients.cast<std::complex<double>>()).cwiseAbs().maxCoeff() <
@@ -455,7 +462,7 @@ TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugat
 
 TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalues are uncertain") {
     const auto parts = [](Eigen::Index n) {
-        const auto contact = PatchContact<double>::dimensionless(1, 0.28);
+        const auto contact = PatchContact::dimensionless(1, 0.28);
         return patch_subsystems(patch_mesh(contact, n, n), chebyshev, HalfSpace<double>(0.28));
     };
     const StabilityVerdict verdict = judge_stability(parts(18));
@@ -465,10 +472,10 @@ TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalu
 
     // shifted, so that the slowest mode grows, is neutral to rounding, or just decays
     const RollingSystem<double> system = parts(8).front();
-    const StabilityResult<double> result = solve_stability(system);
+    const StabilityResult result = solve_stability(system);
     const auto proved = [&](double abscissa) {
         const MatrixX<double> shifted = system.G_prime() + (abscissa - result.spectral_abscissa) * system.G();
-        return detail::all_decay<double>({system.G(), shifted, system.weights()}, 8, shifted.norm(), system.G().norm());
+        return detail::all_decay({system.G(), shifted, system.weights()}, 8, shifted.norm(), system.G().norm());
     };
     for (const double abscissa : {1.0, 1e-3, 1e-9, 1e-14, -1e-14}) {
         CAPTURE(abscissa);

@@ -5,11 +5,19 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -26,14 +34,14 @@ constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double a = 5e-3, G = 8e10, nu = 0.28;
 
 struct Patch {
-    PatchContact<double> contact;
+    PatchContact contact;
     PatchMesh<double> mesh;
     ElementSystem<double, 2> system;
     StabilityVerdict verdict;  ///< by halves
 };
 
 Patch ellipse(double b, Eigen::Index n) {
-    const PatchContact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
+    const PatchContact contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
     const PatchMesh<double> mesh = patch_mesh(contact, n, n);
     const HalfSpace<double> kernel(nu);
     return {contact, mesh, rolling_system(mesh, chebyshev, kernel),
@@ -41,11 +49,11 @@ Patch ellipse(double b, Eigen::Index n) {
 }
 
 /// The force at each distance, in steps of dq after a step of creepage from rest.
-std::vector<TangentialForce<double>> step_response(const AdhesionModel<2>& model, const Creepage<double>& creepage,
-                                                   double dq, const std::vector<double>& distances) {
+std::vector<TangentialForce> step_response(const AdhesionModel<2>& model, const Creepage& creepage, double dq,
+                                           const std::vector<double>& distances) {
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
-    std::vector<TangentialForce<double>> forces;
+    std::vector<TangentialForce> forces;
     int done = 0;
     for (const double distance : distances) {
         AdhesionStep<2> step;
@@ -86,35 +94,35 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
         CHECK_THAT(all[k].moment, WithinRel(by_eta[k].moment + by_phi[k].moment, 1e-10));
     }
     const auto steady = solve_steady(circle.contact, circle.mesh, chebyshev);
-    const TangentialForce<double> reached = creep_force(circle.contact, steady, {xi, eta, phi});
+    const TangentialForce reached = creep_force(circle.contact, steady, {xi, eta, phi});
     CHECK_THAT(all.back().longitudinal, WithinRel(reached.longitudinal, 1e-6));
     CHECK_THAT(all.back().lateral, WithinRel(reached.lateral, 1e-6));
     CHECK_THAT(all.back().moment, WithinRel(reached.moment, 1e-6));
-    const TangentialForce<double> at_once = model.force(model.steady({xi, eta, phi}));
+    const TangentialForce at_once = model.force(model.steady({xi, eta, phi}));
     CHECK_THAT(at_once.longitudinal, WithinRel(reached.longitudinal, 1e-10));
     CHECK_THAT(at_once.moment, WithinRel(reached.moment, 1e-10));
 }
 
 TEST_CASE("patch_transient: the state space in SI units settles at the steady forces") {
     const Patch longer = ellipse(a / 2, 6);
-    const StateSpace<double> space = in_si(state_space(longer.system.joined()), longer.contact, 30);
+    const StateSpace space = in_si(state_space(longer.system.joined()), longer.contact, 30);
     const MatrixX<double> gains = space.D - space.C * space.A.lu().solve(space.B);
     const auto steady = solve_steady(longer.contact, longer.mesh, chebyshev);
-    for (const auto& [xi, eta, phi] : {Creepage<double>{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {
+    for (const auto& [xi, eta, phi] : {Creepage{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {
         const VectorX<double> settled = gains * Eigen::Vector3d(xi, eta, phi);
-        const TangentialForce<double> expected = creep_force(longer.contact, steady, {xi, eta, phi});
+        const TangentialForce expected = creep_force(longer.contact, steady, {xi, eta, phi});
         CHECK_THAT(settled[0], WithinRel(expected.longitudinal, 1e-9) || WithinAbs(0, 1e-9));
         CHECK_THAT(settled[1], WithinRel(expected.lateral, 1e-9) || WithinAbs(0, 1e-9));
         CHECK_THAT(settled[2], WithinRel(expected.moment, 1e-9) || WithinAbs(0, 1e-12));
     }
     // in the time domain: the first millimetre after a step of spin, by the series of exp(A t)
-    const Creepage<double> turned{0, 0, 0.4};
+    const Creepage turned{0, 0, 0.4};
     const AdhesionModel model(longer.contact, longer.system, unchecked, Integrator::matrix_exponential);
-    const TangentialForce<double> rolled = step_response(model, turned, 1e-3, {1e-3}).back();
+    const TangentialForce rolled = step_response(model, turned, 1e-3, {1e-3}).back();
     VectorX<double> term = space.B.col(2) * turned.spin * (1e-3 / 30), x = term;
     for (int k = 2; k < 200; ++k) x += term = space.A * term * (1e-3 / 30 / k);
     CHECK_THAT((space.C * x)[2], WithinRel(rolled.moment, 1e-8));
-    CHECK_THROWS_WITH(in_si(StateSpace<double>{space.A, space.B.leftCols(2), space.C, space.D}, longer.contact, 30),
+    CHECK_THROWS_WITH(in_si(StateSpace{space.A, space.B.leftCols(2), space.C, space.D}, longer.contact, 30),
                       Catch::Matchers::ContainsSubstring("number of inputs = 2 must be 1, or 3 with spin"));
 }
 
@@ -122,9 +130,9 @@ TEST_CASE("patch_transient: 14 balanced states are the patch") {
     // 0.14, 0.12, 0.16 % of 12 x 12 elements at a/b = 0.5, 1, 2
     for (const double b : {2 * a, a, a / 2}) {
         const RollingSystem<double> whole = ellipse(b, 8).system.joined();
-        const BalancedReduction<double> reduced = balanced_reduction(state_space(whole), 14);
+        const BalancedReduction reduced = balanced_reduction(state_space(whole), 14);
         REQUIRE(reduced.status == Status::ok);
-        const FrequencySweep<double> sweep(whole);
+        const FrequencySweep sweep(whole);
         const double steady = sweep(0).coefficients.cwiseAbs().maxCoeff();
         const auto difference = [&](double z) {
             return (dense::transfer(reduced.space, {0, z}) - sweep(z).coefficients).cwiseAbs().maxCoeff();

@@ -4,11 +4,16 @@
 
 #include <Eigen/LU>
 
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
-#include <rollbem/system/element_blocks.hpp>
+#include <rollbem/system/rolling_system.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -22,7 +27,7 @@ using namespace rollbem;
 using Complex = std::complex<double>;
 
 struct Both {
-    Contact<double> contact = Contact<double>::dimensionless(20, 0.28);
+    Contact contact = Contact::dimensionless(20, 0.28);
     Mesh<double> mesh = cosine_mesh<double>(16);
     ElementSystem<double> longitudinal =
         rolling_system(mesh, Collocation{}, StripKernel<double>::longitudinal(contact));
@@ -48,9 +53,9 @@ TEST_CASE("both directions of a line as one system have the coefficients of each
 
 TEST_CASE("a sweep, the response and the state space agree for three inputs") {
     const Both both;
-    const FrequencySweep<double> sweep(both.whole);
+    const FrequencySweep sweep(both.whole);
     REQUIRE(sweep.reduced());
-    const StateSpace<double> states = state_space(both.whole);
+    const StateSpace states = state_space(both.whole);
     for (const double z : {0.0, 0.3, 2.0, 30.0}) {
         const Response<Complex> point = sweep(z);
         const Response<Complex> response = solve_response(both.whole, {0, z});
@@ -66,9 +71,9 @@ TEST_CASE("a sweep, the response and the state space agree for three inputs") {
 
 TEST_CASE("a sweep of independent parts has the coefficients of the whole and the worse of both numbers") {
     const Both both;
-    const FrequencySweep<double> whole(both.whole);
-    const FrequencySweep<double> parts({both.longitudinal, both.lateral.with_spin()});
-    const FrequencySweep<double> along(both.longitudinal), across(both.lateral.with_spin());
+    const FrequencySweep whole(both.whole);
+    const FrequencySweep parts({both.longitudinal, both.lateral.with_spin()});
+    const FrequencySweep along(both.longitudinal), across(both.lateral.with_spin());
     for (const double z : {0.0, 0.3, 30.0}) {
         const Response<Complex> point = parts(z);
         REQUIRE(point.status == Status::ok);
@@ -80,7 +85,7 @@ TEST_CASE("a sweep of independent parts has the coefficients of the whole and th
     // one part that cannot be trusted spoils the whole
     const auto singular = rolling_system(cosine_mesh<double>(16), Collocation{.alpha_L = -0.5, .alpha_T = -0.5},
                                          PlaneKernel<double>::longitudinal(both.contact));
-    CHECK(FrequencySweep<double>({singular, both.lateral})(1).status == Status::assists_creepage);
+    CHECK(FrequencySweep({singular, both.lateral})(1).status == Status::assists_creepage);
 }
 
 TEST_CASE("systems of both directions are checked") {

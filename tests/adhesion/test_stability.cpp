@@ -4,7 +4,9 @@
 #include <complex>
 #include <limits>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -54,7 +56,7 @@ TEST_CASE("QZ finds prescribed eigenvalues, finite and infinite", "[stability]")
     S(0, 5) = T(0, 4) = 2;
     const Matrix Q = random_matrix(n, 1), Z = random_matrix(n, 2);
     const RollingSystem<double> system = system_of(product(product(Q, T), Z), product(product(Q, S), Z));
-    const StabilityResult<double> result = judge_stability(system);
+    const StabilityResult result = judge_stability(system);
     REQUIRE(result.status == Status::ok);
     VectorX<Complex> found = result.eigenvalues();
     int infinite = 0;
@@ -74,7 +76,7 @@ TEST_CASE("QZ finds prescribed eigenvalues, finite and infinite", "[stability]")
 
     // exactly singular: no division by a zero beta
     const Matrix singular_G = Eigen::Vector3d(1, 0, 2).asDiagonal();
-    const StabilityResult<double> singular = judge_stability(system_of(singular_G, -Matrix::Identity(3, 3)));
+    const StabilityResult singular = judge_stability(system_of(singular_G, -Matrix::Identity(3, 3)));
     CHECK(singular.unstable_count == 0);
     CHECK(singular.uncertain_count == 1);
     CHECK(singular.spectral_abscissa == Approx(-0.5));
@@ -90,7 +92,7 @@ TEST_CASE("Abscissa, radius, stiffness and condition number describe a prescribe
     D(3, 2) = -3;
     const Matrix G = random_matrix(4, 7) + 2 * Matrix::Identity(4, 4), X = random_matrix(4, 9);
     const Matrix X_D_in_X = dense::solve(X.transpose(), product(X, D).transpose()).transpose();  // X D X^-1
-    const StabilityResult<double> result = solve_stability(system_of(G, product(G, X_D_in_X)));
+    const StabilityResult result = solve_stability(system_of(G, product(G, X_D_in_X)));
     CHECK(result.unstable_count == 1);
     CHECK(result.unstable_fraction() == 0.25);
     CHECK(result.spectral_abscissa == Approx(2));
@@ -117,7 +119,7 @@ TEST_CASE("The uncertainty of an eigenvalue follows its definition", "[stability
         const MatrixX<Complex> Y = dense::solve_complex(G_X, MatrixX<Complex>::Identity(n, n));
         const double norm_G = dense::largest_singular_value(G);
         const double norm_G_prime = dense::largest_singular_value(G_prime);
-        const StabilityResult<double> result = judge_stability(system_of(G, G_prime));
+        const StabilityResult result = judge_stability(system_of(G, G_prime));
         const VectorX<Complex> found = result.eigenvalues();
         CHECK(result.uncertain_count == 0);
         for (Eigen::Index k = 0; k < n; ++k) {
@@ -149,8 +151,8 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
     int settled = 0, unstable = 0;
     const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
-        const UnstableCount<double> count = count_unstable(system);
-        const StabilityResult<double> result = judge_stability(system);
+        const UnstableCount count = count_unstable(system);
+        const StabilityResult result = judge_stability(system);
         CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, result.uncertain_count);
         CHECK(count.n == mesh.size());
         CHECK(result.status == Status::ok);
@@ -176,7 +178,7 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
 }
 
 TEST_CASE("The fast count reports a G' that is nearly singular", "[stability]") {
-    const UnstableCount<double> count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
+    const UnstableCount count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     CHECK_FALSE(StabilityVerdict{}.stable());
@@ -258,25 +260,24 @@ TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stabi
     const auto settle = [](double second) {
         return judge_stability(system_of(Matrix::Identity(2, 2), Eigen::Vector2d(1, second).asDiagonal()));
     };
-    const StabilityResult<double> open = settle(1.5 * eps);
+    const StabilityResult open = settle(1.5 * eps);
     CHECK(open.unstable_count == 2);
     CHECK(open.settled_unstable_count == 1);
     CHECK(open.uncertain_count == 1);
-    const StabilityResult<double> settled = settle(2.5 * eps);
+    const StabilityResult settled = settle(2.5 * eps);
     CHECK(settled.settled_unstable_count == 2);
     CHECK(settled.uncertain_count == 0);
 }
 
 TEST_CASE("The fast count does not take a neutral mode for an unstable one", "[stability]") {
-    const UnstableCount<double> count =
-        count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
+    const UnstableCount count = count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
     CHECK(count.status == Status::ok);
     CHECK(count.unstable_count == 0);
 }
 
 TEST_CASE("The fast count detects two equal equations", "[stability]") {
-    const UnstableCount<double> count = count_unstable(system_of(
-        Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}}, Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
+    const UnstableCount count = count_unstable(system_of(Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
+                                                         Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
     CHECK(count.rcond == 0);
     CHECK(count.status == Status::ill_conditioned);
 }

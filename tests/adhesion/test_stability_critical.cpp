@@ -1,12 +1,17 @@
-// rollbem/studies/critical_alpha.hpp
+// apps/studies/critical_alpha.hpp
 #include <cmath>
 #include <complex>
 #include <optional>
 
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/studies/critical_alpha.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "studies/critical_alpha.hpp"
 #include "support/catch.hpp"
 
 namespace stability_critical_tests {

@@ -1,12 +1,23 @@
-// rollbem/rolling/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
+// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
 #include <utility>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/rolling_friction.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 
@@ -17,10 +28,10 @@ using namespace rollbem;
 using Eigen::VectorXd;
 using Motion = RigidMotion<double>;
 
-constexpr detail::StageTable<double> halves(2, 0.5);
+constexpr detail::StageTable halves(2, 0.5);
 constexpr double a = 5e-3, G = 8e10, dq = 0.3 * a, p_0 = 5e8;
 
-const Contact<double> contact({.half_length = a, .half_width = 5e-2, .shear_modulus = G, .poisson_ratio = 0.28});
+const Contact contact({.half_length = a, .half_width = 5e-2, .shear_modulus = G, .poisson_ratio = 0.28});
 const Mesh<double> mesh = cosine_mesh(8);
 ElementSystem<double> line(const PlaneKernel<double>& kernel) {
     return rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
@@ -30,12 +41,12 @@ const ElementSystem<double> along = line(PlaneKernel<double>::longitudinal(conta
 
 /// A step of the row from a_1 to a_3 in full adhesion: tractions, and their derivative by the creepage at the end.
 std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion& motion, double a_1, double a_3) {
-    detail::AdhesionStages<1, double> stages(from.size());
-    detail::StageFactors<double> factors(from.size());
-    const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
-    const detail::RigidSlip<1, double> slip(contact, along.inputs(), G);
-    const detail::TimeStep<1, double> step{motion, a, start, end, dq / a, halves};
-    stages.solve(step, {1, from, slip, factors}, [](const detail::RollingStage<double>& geometry, const auto& use) {
+    detail::AdhesionStages<1> stages(from.size());
+    detail::StageFactors factors(from.size());
+    const SemiAxes start{a_1 / a, 1}, end{a_3 / a, 1};
+    const detail::RigidSlip<1> slip(contact, along.inputs(), G);
+    const detail::TimeStep<1> step{motion, a, start, end, dq / a, halves};
+    stages.solve(step, {1, from, slip, factors}, [](const detail::RollingStage& geometry, const auto& use) {
         use(detail::LineEquations<RollingSystem<double>>(along, geometry));
     });
     return {from + stages.change(), stages.response(0)};
@@ -46,7 +57,7 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
 TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") {
     const AdhesionModel<> euler(contact, along, judge_stability(along), Integrator::implicit_euler);
     auto workspace = euler.workspace();
-    AdhesionState<> from = euler.steady(3e-4), half = from, to = from;
+    AdhesionState from = euler.steady(3e-4), half = from, to = from;
     const double xi = GENERATE(1e-3, -2e-3);
     for (const double a_3 : {a, 1.05 * a}) {
         const double a_2 = (a + a_3) / 2;
@@ -65,9 +76,9 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
             CHECK((1e-3 * per_end - (risen - expected)).cwiseAbs().maxCoeff() < 1e-10 * unit);
             if (a_3 != a) continue;
             // the map of a repeated step equals the map by stages
-            detail::StepMap<1, double> map(mesh.size());
-            detail::StageFactors<double> factors(mesh.size());
-            map.prepare({1, dq, a, 0}, detail::influence(along), detail::RationalExponential<double>(halves),
+            detail::StepMap<1> map(mesh.size());
+            detail::StageFactors factors(mesh.size());
+            map.prepare({1, dq, a, 0}, detail::influence(along), detail::RationalExponential(halves),
                         along.inputs() * G, along.outputs(), factors);
             VectorXd mapped(mesh.size());
             map.apply(from.traction, {Motion::linear(start, xi), dq}, mapped);
@@ -80,8 +91,8 @@ namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
 template <int directions>
-void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage<double>& start,
-             const Creepage<double>& middle, const Creepage<double>& end, double growth) {
+void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage& start,
+             const Creepage& middle, const Creepage& end, double growth) {
     using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
@@ -89,26 +100,25 @@ void compare(const ElementSystem<double, directions>& system, const FrictionLaw&
     detail::StepScratch<directions> own(data.size(), false, data.varies());
     auto workspace = model.workspace();
     auto from = model.at_rest(), half = from, to = from, found = from;
-    REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
+    REQUIRE(model.steady(model.at_rest(), {Travel::at_speed(20), start}, from, workspace).status == Status::ok);
     const auto load = [&](double way) {
         const ArrayX<double> rate = mean_hertz_pressure(mesh);
-        return NormalLoad<double>{(1 + growth * way) * friction.normal_pressure, (1 + growth / 2 * way) * a, rate, 0};
+        return NormalLoad{(1 + growth * way) * friction.normal_pressure, (1 + growth / 2 * way) * a, rate, 0};
     };
-    const Travel<double> whole{dq, dq / 20}, part{dq / 2, dq / 40};
-    const NormalLoad<double> two = load(0.5), three = load(1);
+    const Travel whole{dq, dq / 20}, part{dq / 2, dq / 40};
+    const NormalLoad two = load(0.5), three = load(1);
     const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
     const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
     const auto axes = [&](const auto& loaded) { return data.units.axes(loaded); };
-    const auto components = [](const Creepage<double>& value) {
+    const auto components = [](const Creepage& value) {
         if constexpr (directions == 1) {
             return value.longitudinal;
         } else {
             return value;
         }
     };
-    const auto motion =
-        RigidMotion<detail::CreepageAlong<directions, double>>::linear(components(start), components(end));
-    detail::TimeStep<directions, double> rolled{motion, a, axes(from), axes(three), whole.dq / a, halves};
+    const auto motion = RigidMotion<detail::CreepageAlong<directions>>::linear(components(start), components(end));
+    detail::TimeStep<directions> rolled{motion, a, axes(from), axes(three), whole.dq / a, halves};
     rolled.duration = whole.duration;
     const detail::LoadAtEnd end_load{three.normal_pressure, three.half_length, from.half_width, &three.pressure_rate};
     const auto step = detail::solve<directions>({data, rolled, from, end_load, own}, found);

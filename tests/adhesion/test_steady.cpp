@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/system/dissipation.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/dissipation.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
@@ -202,8 +205,7 @@ TEST_CASE("Dissipation is proved on uniform meshes exactly for the schemes that 
 }
 
 TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") {
-    const Contact<double> contact(
-        {.half_length = 0.006, .half_width = 0.012, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+    const Contact contact({.half_length = 0.006, .half_width = 0.012, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(15)) {
         const auto solution = solve_steady(mesh, Collocation{}, StripKernel<double>::lateral(contact));
         const double force = creep_force(contact, solution, 1e-4);

@@ -12,14 +12,22 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/detail/stick_slip.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
@@ -105,7 +113,7 @@ namespace {
 using namespace rollbem;
 
 AdhesionModel<> make_model(Eigen::Index n, Integrator integrator) {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Contact contact = Contact::dimensionless(100, 0.25);
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     return {contact, rolling_system(cosine_mesh<double>(n), scheme, PlaneKernel<double>::longitudinal(contact)),
             unchecked, integrator};
@@ -187,7 +195,7 @@ TEST_CASE("A step in full adhesion does not allocate, whatever the size", "[tran
             if (n <= 40) CHECK(count(model, 1) == 0);
         }
     }
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Contact contact = Contact::dimensionless(100, 0.25);
     const auto along =
         rolling_system(cosine_mesh<double>(70), Collocation{}, PlaneKernel<double>::longitudinal(contact));
     const auto across = rolling_system(cosine_mesh<double>(70), Collocation{}, PlaneKernel<double>::lateral(contact));
@@ -199,7 +207,7 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
         for (const Eigen::Index n : {1, 2, 40, 128}) {
             const AdhesionModel<> model = make_model(n, integrator);
             AdhesionWorkspace<> workspace = model.workspace();
-            AdhesionState<> now = model.at_rest(), next = now;
+            AdhesionState now = model.at_rest(), next = now;
             bool ok = true, refused = true;
             const long before = allocations;
             for (int k = 1; k <= 20; ++k) {
@@ -229,7 +237,7 @@ long count(any_model::Ride& ride, int steps) {
     bool ok = true;
     const long before = allocations;
     for (int k = 0; k < steps; ++k) {
-        const Creepage<double> value = creepage(0.15 * (k % 13 - 6), turn * k);
+        const Creepage value = creepage(0.15 * (k % 13 - 6), turn * k);
         load.half_length = setup.strip ? a : a * (1 + 0.01 * std::sin(0.1 * k));
         if (setup.strip) load.normal_pressure = std::max(0.0, 0.6 + std::sin(0.3 * k)) * load.pressure_rate;
         const Step step = k % 10 == 9   ? ride.step(0, Motion::shift({a * value.longitudinal, a * value.lateral}))
@@ -266,28 +274,28 @@ TEST_CASE("A step with friction does not allocate, whatever the model, the load 
 }
 
 TEST_CASE("A step of a patch of varying size and shape does not allocate", "[friction]") {
-    const HertzEllipse<double> ellipse({.load = 1e4,
-                                        .radii_1 = {.rolling = 0.5, .lateral = 0.5},
-                                        .radii_2 = {.rolling = INFINITY, .lateral = INFINITY},
-                                        .body_1 = {2e11, 0.3},
-                                        .body_2 = {2e11, 0.3}});
+    const HertzEllipse ellipse({.load = 1e4,
+                                .radii_1 = {.rolling = 0.5, .lateral = 0.5},
+                                .radii_2 = {.rolling = INFINITY, .lateral = INFINITY},
+                                .body_1 = {2e11, 0.3},
+                                .body_2 = {2e11, 0.3}});
     const double a = ellipse.half_length();
-    const PatchContact<double> contact = ellipse.contact();
+    const PatchContact contact = ellipse.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 5, 5);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(0.3);
     const PatchShapes<double> shapes(5, 5, scheme, kernel, {.least = 0.5, .largest = 2, .factor = 1.5});
-    const auto breathing = HertzPatchLoad<double>::breathing(ellipse, contact, mesh),
-               fixed = HertzPatchLoad<double>::fixed(ellipse, contact, mesh);
+    const auto breathing = HertzPatchLoad::breathing(ellipse, contact, mesh),
+               fixed = HertzPatchLoad::fixed(ellipse, contact, mesh);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const bool moves : {true, false}) {
-            const HertzPatchLoad<double>& hertz = moves ? breathing : fixed;
-            NormalLoad<double> load = hertz.at(1e4);
+            const HertzPatchLoad& hertz = moves ? breathing : fixed;
+            NormalLoad load = hertz.at(1e4);
             const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
                                       unchecked, {0.3, load.normal_pressure}, integrator);
             const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
             FrictionState now = model.at_rest(), next = now;
-            AdhesionState<> stuck = adhesion.at_rest(), stuck_next = stuck;
+            AdhesionState stuck = adhesion.at_rest(), stuck_next = stuck;
             auto workspace = model.workspace();
             auto stuck_workspace = adhesion.workspace();
             bool ok = true;
@@ -295,11 +303,11 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
             for (int k = 0; k < 40; ++k) {
                 ok = hertz.set(1e4 * (0.8 - 0.19 * std::cos(0.3 * k)), load) == Status::ok && ok;
                 if (moves) load.half_width *= 1 + 0.1 * std::sin(0.2 * k);
-                const Creepage<double> creepage{1e-3, (k % 7 - 3) * 1e-3, 0.2};
+                const Creepage creepage{1e-3, (k % 7 - 3) * 1e-3, 0.2};
                 ok = ok && model.advance(now, {0.3 * a, creepage, load}, next, workspace).status == Status::ok;
                 ok = ok && model.steady(next, {.motion = creepage, .load = load}, now, workspace).status == Status::ok;
                 std::swap(now, next);
-                const SemiAxes<double> axes{load.half_length, load.half_width};
+                const SemiAxes axes{load.half_length, load.half_width};
                 ok = ok && adhesion.advance(stuck, {0.3 * a, creepage, axes}, stuck_next, stuck_workspace).status ==
                                Status::ok;
                 ok = ok &&
@@ -351,7 +359,7 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
 
 TEST_CASE("A look-up in a table of creep forces does not allocate") {
     const CreepForceTable table = creep_forces::table(5, 4);
-    const PatchContact<double> contact({5e-3, 6e-3, 8e10, 0.28});
+    const PatchContact contact({5e-3, 6e-3, 8e10, 0.28});
     double sum = 0;
     const long before = allocations;
     for (int k = 0; k < 100; ++k) {

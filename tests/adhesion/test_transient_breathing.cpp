@@ -7,14 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 #include "support/observed_order.hpp"
-#include "support/scalars.hpp"
 
 namespace transient_breathing_tests {
 namespace {
@@ -36,7 +39,7 @@ struct Sine {
 };
 
 PlaneKernel<double> plane(double aspect) { return {aspect, 1 - nu, nu}; }
-Contact<double> unit_contact(double aspect) { return Contact<double>::dimensionless(aspect, nu); }
+Contact unit_contact(double aspect) { return Contact::dimensionless(aspect, nu); }
 
 ElementSystem<double> elements(Eigen::Index n, double aspect) {
     return rolling_system(cosine_mesh<double>(n), halves, plane(aspect));
@@ -94,7 +97,7 @@ struct Dense {
 
 TEST_CASE("A step on a breathing contact solves the equations of its stages", "[breathing]") {
     const double a_0 = 4e-3, G = 8e10, g = 1 - 1 / std::sqrt(2.0);
-    const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
+    const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
     const ElementSystem<double> of_elements = elements(20, 100);
     const ElementSystem<double> of_nodes = rolling_system(cosine_mesh(20), NodeDifference{}, plane(100));
     const ChebyshevSystem<double> of_states = states(9, 100);
@@ -174,7 +177,7 @@ TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many el
 
 TEST_CASE("The tangents by motion and by half-length are derivatives of the force", "[breathing]") {
     const double a_0 = 4e-3;
-    const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
+    const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
     const auto check = [&](const auto& system) {
         for (const Integrator integrator : breathing_integrators) {
             const Model model(contact, system, unchecked, integrator);
@@ -261,7 +264,7 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
 
 TEST_CASE("An impossible half-length gives a status and leaves the target state unchanged", "[breathing][not_finite]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    const Contact<double> contact = unit_contact(100);
+    const Contact contact = unit_contact(100);
     const auto check_refusals = [&](const Model& model, const auto& ask, Status expected) {
         Model::State from = model.steady(1), to = model.at_rest();
         to.traction.setConstant(7);
@@ -361,32 +364,6 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     rigid(Model(contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked));
     rigid(Model(contact, system, unchecked, Integrator::matrix_exponential));
 }
-
-#ifdef ROLLBEM_SLOW_CHECKS
-TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", SCALARS) {
-    using Scalar = TestType;
-    const auto force = []<class Real>(Real) {
-        const Contact<Real> contact = Contact<Real>::dimensionless(100, Real(0.25));
-        const AdhesionModel<1, Real> model(
-            contact, rolling_system(Chebyshev{.states = 8}, PlaneKernel<Real>(100, Real(0.75), Real(0.25))), unchecked);
-        AdhesionState<Real> now = model.at_rest(), next = now;
-        AdhesionWorkspace<1, Real> workspace = model.workspace();
-        AdhesionStep<1, Real> step;
-        for (int k = 1; k <= 64; ++k) {
-            step = model.advance(now, {Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64}, next, workspace);
-            if (step.status != Status::ok) return std::pair(0.0L, 0.0L);
-            std::swap(now, next);
-        }
-        return std::pair(static_cast<long double>(step.force_per_width),
-                         static_cast<long double>(step.tangent_by_half_length));
-    };
-    const auto found = force(Scalar(1)), fine = force(1.0L);
-    const long double eps = std::numeric_limits<Scalar>::epsilon();
-    CHECK(fine.first < -0.5L);
-    CHECK(std::abs(found.first / fine.first - 1) < 100 * eps);
-    CHECK(std::abs(found.second / fine.second - 1) < 1000 * eps);
-}
-#endif
 
 }  // namespace
 }  // namespace transient_breathing_tests

@@ -4,9 +4,15 @@
 #include <cstddef>
 #include <utility>
 
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/response.hpp>
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/patch_contact.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -23,7 +29,7 @@ using Forces = Eigen::Vector3d;
 constexpr std::array all_integrators{Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential};
 constexpr double a = 5e-3, b = 20e-3, G = 8e10;
 
-const Contact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
+const Contact contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
 
 ElementSystem<double> line(const PlaneKernel<double>& kernel) {
     return rolling_system(cosine_mesh(12), Collocation{}, kernel);
@@ -31,11 +37,11 @@ ElementSystem<double> line(const PlaneKernel<double>& kernel) {
 const ElementSystem<double> along = line(PlaneKernel<double>::longitudinal(contact)),
                             across = line(PlaneKernel<double>::lateral(contact));
 
-const PatchContact<double> patch({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
+const PatchContact patch({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
 
-Forces vector(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral, force.moment}; }
+Forces vector(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
-Eigen::Matrix3d matrix(const CreepageTangent<double>& tangent) {
+Eigen::Matrix3d matrix(const CreepageTangent& tangent) {
     Eigen::Matrix3d result;
     result << vector(tangent.by_longitudinal), vector(tangent.by_lateral), vector(tangent.by_spin);
     return result;
@@ -77,13 +83,13 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
         const AdhesionModel<> first(contact, along, unchecked, integrator),
             second(contact, across, unchecked, integrator);
         Model::State now = both.at_rest(), next = now;
-        AdhesionState<> first_now = first.at_rest(), first_next = first_now;
-        AdhesionState<> second_now = second.at_rest(), second_next = second_now;
+        AdhesionState first_now = first.at_rest(), first_next = first_now;
+        AdhesionState second_now = second.at_rest(), second_next = second_now;
         Model::Workspace workspace = both.workspace();
         AdhesionWorkspace<> first_workspace = first.workspace(), second_workspace = second.workspace();
         for (int k = 0; k < 12; ++k) {
             const double dq = (k < 6 ? 0.3 : 0.1) * a;
-            const auto value = [&](int at) { return Creepage<double>{1e-3 * at, 5e-4 * std::sin(at), 0}; };
+            const auto value = [&](int at) { return Creepage{1e-3 * at, 5e-4 * std::sin(at), 0}; };
             const auto motion = [&](auto pick) {
                 using One = RigidMotion<decltype(pick(value(0)))>;
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
@@ -122,7 +128,7 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
     Model::State from = model.at_rest(), to = from;
     from.traction = 1e6 * VectorXd::LinSpaced(8, -1, 2);
     const double dq = 0.35;
-    const Creepage<double> end{2e-3, -1e-3, 0.8};  // spin in 1/m
+    const Creepage end{2e-3, -1e-3, 0.8};  // spin in 1/m
     const Forces inputs(end.longitudinal, end.lateral, a * end.spin);
     const VectorXd right = whole.G() * (from.traction / G) - dq * whole.inputs() * inputs;
     const VectorXd expected = dense::solve(whole.G() - dq * whole.G_prime(), right);
@@ -146,10 +152,10 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
     for (const Integrator integrator : all_integrators) {
         const Model model(patch, patch_system(), unchecked, integrator);
         Model::Workspace workspace = model.workspace();
-        Model::State from = model.steady(Creepage<double>{1e-3, 2e-3, 0.4}), to = from;
+        Model::State from = model.steady(Creepage{1e-3, 2e-3, 0.4}), to = from;
         const double dq = 0.6 * a;
         const auto value = [](Eigen::Index input, double size) {
-            Creepage<double> result{1e-3, -2e-3, 0.3};
+            Creepage result{1e-3, -2e-3, 0.3};
             (input == 0 ? result.longitudinal : input == 1 ? result.lateral : result.spin) += size;
             return result;
         };
@@ -157,9 +163,9 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
             from.distance = before;
             for (Eigen::Index j = 0; j < 3; ++j) {
                 const double size = j == 2 ? 0.2 : 1e-3;
-                for (const auto& motion : {+[](const Creepage<double>& end) { return Motion(end); },
-                                           +[](const Creepage<double>& end) { return Motion::linear({}, end); },
-                                           +[](const Creepage<double>& end) { return Motion::shift(end); }}) {
+                for (const auto& motion : {+[](const Creepage& end) { return Motion(end); },
+                                           +[](const Creepage& end) { return Motion::linear({}, end); },
+                                           +[](const Creepage& end) { return Motion::shift(end); }}) {
                     const AdhesionStep<2> low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
                     const AdhesionStep<2> high = model.advance(from, {dq, motion(value(j, size))}, to, workspace);
                     const Forces slope = (vector(high.force) - vector(low.force)) / size;
@@ -182,7 +188,7 @@ TEST_CASE("The result of a step depends on state and arguments alone, to the las
     Model::State now = model.at_rest(), next = now, other = now;
     for (int k = 0; k < 40; ++k) {
         const double dq = a * std::array{0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.2}[static_cast<std::size_t>(k) % 7];
-        const Creepage<double> value{1e-3, 1e-4 * k, 0.1};
+        const Creepage value{1e-3, 1e-4 * k, 0.1};
         for (const Model& another : others) {
             Model::State its_own = another.steady(value);
             its_own.distance = k % 4 == 0 ? dq : 0;
@@ -211,7 +217,7 @@ TEST_CASE("A model of three inputs refuses what has one, and says so", "[transie
     const ElementSystem<double> placeless(along.G(), along.G_prime(), along.weights());
     CHECK_THROWS_WITH(AdhesionModel(contact, ElementSystem<double, 2>(placeless, placeless), unchecked),
                       ContainsSubstring("spin needs them"));
-    const Contact<double> wide({.half_length = a, .half_width = 2 * b, .shear_modulus = G, .poisson_ratio = 0.28});
+    const Contact wide({.half_length = a, .half_width = 2 * b, .shear_modulus = G, .poisson_ratio = 0.28});
     CHECK_THROWS_WITH(AdhesionModel(wide, system, unchecked), ContainsSubstring("b/a of the kernel"));
 }
 

@@ -71,6 +71,37 @@ if command -v script >/dev/null; then
     done
 fi
 
+# on a terminal people have a table, no wider than it and counting what it leaves out, unless they ask for CSV
+on_terminal() { script -qec "stty cols 80; $programs/$* --quiet" /dev/null </dev/null | tr -d '\r'; }
+while command -v script >/dev/null && read -r command; do
+    "$programs"/$command >out
+    for csv in --csv '--output -'; do
+        on_terminal $command $csv | cmp -s - out || fail "$command $csv on a terminal"
+    done
+    on_terminal $command >table
+    awk -v rows="$(($(wc -l <out) - 1))" '
+        /,.*,/ || length > 80 { bad = 1 }
+        END { exit bad || NR < 3 || !/more (column|row)s?(, [0-9]+ more columns?)? in CSV: --output FILE$/ ||
+            (rows > 40) != /^[0-9]+ more rows?[ ,]/ || rows > 40 && $1 != rows - 40 }' table ||
+        fail "$command on a terminal: $(cat table)"
+done <<'COMMANDS'
+steady_study --n 10,20 --no-timing
+traction_study --n 41 --no-timing
+stability_study --n 10 --no-timing
+frequency_study --n 10 --omega 1 --no-timing
+transient_study --n 8 --step 1 --no-timing
+friction_study --n 10 --creepage-ratio 0.5,0.6 --no-timing
+patch_study --n 4 --longitudinal 0.1 --no-timing
+precision_study --n 4,6 --quantity c11 --no-timing
+profile_study --shift 0,0.001 --no-timing
+COMMANDS
+if command -v script >/dev/null; then
+    on_terminal profile_study --shift 0.0055 --friction 0.3 >table
+    [ "$(grep -c '^shift 5.5 mm, yaw 0 rad, .*, side right, patch [12], status ' table)" -eq 2 ] &&
+        [ "$(grep -cE '^  (load|lateral_force) +-?[0-9.]+ N$' table)" -eq 4 ] &&
+        [ "$(grep -cE '^  peak_pressure +[0-9]{3,4}(\.[0-9]+)? MPa$' table)" -eq 2 ] || fail "patch by patch: $(cat table)"
+fi
+
 # errors while writing. full LINES PROGRAM ARG...: exit 4, one line on stderr, this number of lines on stdout
 full() {
     exits 4 "$@"

@@ -36,6 +36,7 @@ exits 3 151 traction_study --n 10 --alpha-T "$(seq -s, 0.4 0.02 0.68)" --plot no
 [ ! -e none.svg ] && grep -q 'would have 15 curves, .* give fewer' err || fail "too many curves: $(cat err)"
 draws stability_study --n 6 --alpha-L 0,0.2,0.4,0.6,0.8 --alpha-T 0.3,0.5,0.7,0.9,1.1
 shows 'share of unstable eigenvalues' αL αT
+title 'Stability, collocation, finite differences, uniform mesh, n = 6,'
 curves 1
 
 # Greek letters, with spaces after subscripts, in a font that every browser has, of a width and in letters that one
@@ -51,7 +52,7 @@ grep -q 'viewBox="0 0 600 ' p.svg &&
     fail "letters: $(grep -o 'font-size="[0-9.]*"' p.svg | sort -u)"
 # no legend for a single curve, a long title in two lines; labels at the ends of curves, a legend where they coincide
 draws steady_study --n 10,20
-title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
+title 'Steady rolling, collocation, finite differences, uniform mesh, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
 draws steady_study --n 20,40 --alpha-T 0.5,0.7
 shows 'αT = 0.5' 'αT = 0.7'
@@ -62,9 +63,16 @@ legend || fail 'no legend of curves that coincide'
 
 # a panel of errors beside curves that coincide, unless there is no exact value; real and imaginary parts in two colours
 draws frequency_study --n 10,20 --omega 0.1,1,5
-curves 11
+curves 8 # n = 10 and 20 coincide but in errors
 shows '|c11 / c11,exact - 1|'
 for colour in '  0, 114, 178' '213,  94,   0'; do grep -q "path stroke='rgb($colour)'" p.svg || fail "$colour"; done
+# curves that coincide are one; panels are equally wide
+draws frequency_study --n 20,40 --omega 0.1,0.2,0.5
+shows 'n = 20, 40' 'Re, n = 20, 40' 'n = 40'
+curves 8
+sed -n 's/^.<path .*d=.M\([0-9.]*\),[0-9.]* L\1,[0-9.]* L\([0-9.]*\),.*Z.*/\1 \2/p' p.svg |
+    awk '{ width = $2 - $1; least = NR == 1 || width < least ? width : least; most = width > most ? width : most }
+        END { print NR, least, most; exit NR < 3 || most - least > 0.5 }' >frames || fail "frames of other widths: $(cat frames)"
 draws frequency_study --n 10 --omega 0.1,1,5 --aspect 0.1
 hides c11,exact
 draws steady_study --method chebyshev --n 4,8,16 --kernel plane --poisson 0
@@ -123,6 +131,7 @@ awk '/id="gnuplot_plot_/ { split($0, part, /<title>|<.title>/); curve = /gnuplot
     match($0, /rgb\([^)]*\)/) && curve { colours[curve] = substr($0, RSTART, RLENGTH); curve = "" }
     END { exit !("polynomial" in colours && colours["last"] == colours["cosine:collocation:0.5/0.5"] &&
         colours["last"] != colours["polynomial"]) }' p.svg || fail 'colours of the panels'
+[ "$(grep -c chebyshev words)" -eq 1 ] && [ "$(grep -cx 'Pareto front' words)" -eq 1 ] || fail "legends: $(cat words)"
 grep -q '1e-14 or less' words && ! grep -q 'quantities drawn' words || fail "no floor, or a note: $(cat words)"
 draws precision_study --n 10 --scheme cosine:collocation:0.5/0.5 --quantity traction,c11_z0.1,c11_z1,transient
 title 'traction (3 of 4 quantities drawn)'
@@ -144,8 +153,10 @@ shows '-Fx / (μ N0)' '-Mz / (μ N0 c0)' 'load N/N0' 'distance rolled q/a'
 draws patch_study --n 3 --strips 16 --strip-grading uniform --a-over-b 1,10 --poisson 0.5 --stability
 title '; modes grow in 1 of 2'
 # pictures to scale are no higher than their content asks for
-draws profile_study --shift 0,0.004 --side both --no-timing
-sed -n 's/.*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' p.svg | awk '{ exit !($2 > 1.1 * $1 && $2 < 1.3 * $1) }' ||
+draws profile_study --shift -0.002,0.004 --side both --no-timing
+[ "$(grep -cx -e -2 words)" -eq 2 ] && [ "$(grep -cx 4 words)" -eq 2 ] || fail "shifts at contact points: $(cat words)"
+title 'Where the right wheel, lifted by 25 mm, touches the rail; numbers: lateral shift [mm]'
+sed -n 's/.*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' p.svg | awk '{ exit !($2 > 1.2 * $1 && $2 < 1.5 * $1) }' ||
     fail "$(grep viewBox p.svg)"
 
 finish

@@ -126,4 +126,27 @@ $programs/patch_study --quiet --no-timing --n 8 --outline patches/1_left_1.outli
     --pressure patches/1_left_1.pressure.csv --longitudinal 0.1 | grep -q ',ok,chebyshev,' ||
     fail 'patch_study of a patch'
 
+# --- wear step by step: half the step changes the largest depth by less than 2 %; worn profiles are read again
+printf 'shift,yaw,friction,distance,passages\n-0.002,0,0.3,4e4,4e4\n0.001,0,0.3,4e4,4e4\n0.004,0,0.3,2e4,1e4\n' >collective.csv
+wears="$programs/profile_study --quiet --n 6 --strips 7 --speed 20"
+$wears --positions collective.csv --wear-step 1e-5 --worn-wheel worn.csv --worn-rail worn_rail.csv >one 2>err &&
+    $wears --positions collective.csv --wear-step 5e-6 >other || fail "wear: $(cat err)"
+rows 'FNR > 1 { wheel[FILENAME] = $wheel_depth; rail[FILENAME] = $rail_depth; count[FILENAME] = FNR - 1 }
+    END { exit !(count["one"] > 3 && count["other"] > 1.5 * count["one"] && wheel["other"] > 1e-5 &&
+          (wheel["one"] / wheel["other"] - 1) ^ 2 < 0.02 ^ 2 && (rail["one"] / rail["other"] - 1) ^ 2 < 0.02 ^ 2) }' \
+    one other || fail "half of a step: $(tail -n 1 one other)"
+sed 's/e4/e3/g' collective.csv >tenth.csv
+good 3 $wears --positions tenth.csv --wheel worn.csv --rail worn_rail.csv --cant 0.02499479361892016
+
+# --- a wheel beside its origin comes back by alignment, although it is worn
+awk -F, 'NR > 1 { printf "%.9f %.9f\n", $1 + 0.003, $2 - 0.001 }' worn.csv >beside.txt
+at="$programs/profile_study --quiet --no-timing --shift 0.002"
+$at --wheel worn.csv >one
+$at --wheel beside.txt --align-wheel s1002 --output other || fail '--align-wheel'
+grep -q 'aligned with s1002: moved by dy = -[23][.0-9]* mm, dz = [01][.0-9]* mm; residual' other.toml || fail "note: $(cat other.toml)"
+rows 'FNR > 1 { place[FILENAME] = $y; rolls[FILENAME] = $rolling_radius }
+    END { exit !((place["one"] - place["other"]) ^ 2 < 1e-12 && (rolls["one"] - rolls["other"]) ^ 2 < 1e-14) }' \
+    one other ||
+    fail "aligned: $(cat one other)"
+
 finish

@@ -1,4 +1,4 @@
-// rollbem/assembly/influence.hpp
+// rollbem/assembly/rolling_system.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"

@@ -3,8 +3,11 @@
 // points' matrices; problems see nothing else of a scheme.
 #include <stdexcept>
 
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 
@@ -41,7 +44,7 @@ struct OneWidthAhead {
 };
 static_assert(RollingScheme<TwoPoints> && RollingScheme<TwoPoints, float> && RollingScheme<TwoPoints, long double>);
 
-const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+const Contact contact = Contact::dimensionless(100, 0.28);
 const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 const TwoPoints stable{0.5, 0.5, 0.125}, unstable{0, 1, 0.15};
 

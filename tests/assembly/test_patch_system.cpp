@@ -1,14 +1,14 @@
-// rollbem/assembly/patch_system.hpp, elasticity/rectangle_kernel.hpp: entries of G and G' against quadrature, long
+// rollbem/assembly/patch_system.hpp, elasticity/patch_kernel.hpp: entries of G and G' against quadrature, long
 // double and the strip, and the waist's inputs and outputs.
 #include <cmath>
 #include <numbers>
 
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
-#include <rollbem/elasticity/plane_kernel.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/moved_mesh.hpp"
@@ -50,11 +50,11 @@ RectangleInfluence<double> point_force(double nu, double x, double y) {
 TEST_CASE("patch_system: a layer adds to each strip what it adds to a line") {
     const NodeDifference scheme{GENERATE(Nodes::centres, Nodes::chebyshev)};
     const double L = 0.7;
-    const auto contact = PatchContact<double>::dimensionless(2, 0.3);
+    const auto contact = PatchContact::dimensionless(2, 0.3);
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 4);
     const auto layered = rolling_system(mesh, scheme, HalfSpace<double>(0.3, L)).joined(),
                bare = rolling_system(mesh, scheme, HalfSpace<double>(0.3)).joined();
-    const auto line = PlaneKernel<double>::longitudinal(Contact<double>::dimensionless(100, 0.3));
+    const auto line = PlaneKernel<double>::longitudinal(Contact::dimensionless(100, 0.3));
     const auto with = rolling_system(mesh.along(), scheme, LayeredKernel(line, L)),
                without = rolling_system(mesh.along(), scheme, line);
     Matrix G = bare.G(), G_prime = bare.G_prime();
@@ -116,9 +116,8 @@ TEST_CASE("patch_system: a rectangle of one strip has the matrices of the strip 
     const double b = 3;
     const Mesh<double> along = cosine_mesh(12);
     const ArrayX<double> ends = (ArrayX<double>(2) << -b, b).finished(), ones = ArrayX<double>::Ones(2);
-    const PatchMesh<double> rectangle =
-        outline_mesh<double>(Outline<double>(ends, -ones, ones), 1, along, uniform_mesh(1));
-    const Contact<double> contact = Contact<double>::dimensionless(b, 0.3);
+    const PatchMesh<double> rectangle = outline_mesh<double>(Outline(ends, -ones, ones), 1, along, uniform_mesh(1));
+    const Contact contact = Contact::dimensionless(b, 0.3);
     const ElementSystem<double, 2> patch = rolling_system(rectangle, chebyshev, HalfSpace<double>(0.3));
     for (const std::size_t d : {0, 1}) {
         const auto kernel = d == 0 ? StripKernel<double>::longitudinal(contact) : StripKernel<double>::lateral(contact);
@@ -241,9 +240,8 @@ TEST_CASE("patch_system: size scales G and leaves G' alone; no coupling at nu = 
     const auto patch = [](double unit) {
         const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -1, 1);
         const ArrayX<double> edge = (ArrayX<double>(3) << 0.2, 1, 0.5).finished();
-        return rolling_system(
-            outline_mesh<double>(Outline<double>(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
-            NodeDifference{}, HalfSpace<double>(0.25));
+        return rolling_system(outline_mesh<double>(Outline(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
+                              NodeDifference{}, HalfSpace<double>(0.25));
     };
     const auto large = patch(0.5), small = patch(1);
     CHECK(largest(large.G(0, 0) - 2 * small.G(0, 0)) < 1e-14);

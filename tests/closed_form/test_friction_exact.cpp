@@ -1,4 +1,4 @@
-// rollbem/closed_form/friction.hpp
+// rollbem/closed_form/carter.hpp
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -8,7 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/closed_form/carter.hpp>
 
 #include "support/catch.hpp"
 

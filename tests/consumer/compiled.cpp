@@ -2,20 +2,19 @@
 // bodies of headers, which faces() of faces.cpp needs.
 #include <cmath>
 
-#include <rollbem/compiled/all.hpp>
+#include <rollbem/rollbem.hpp>
 
 int faces();
 
 int main() {
     using namespace rollbem;
-    const Contact<double> contact(
-        {.half_length = 5e-3, .half_width = 50e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const Contact contact({.half_length = 5e-3, .half_width = 50e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const Mesh<double> mesh = cosine_mesh(20);
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const auto kernel = StripKernel<double>::longitudinal(contact);
     const double c11 = solve_steady(mesh, scheme, kernel).c11();
     const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
-    const FrequencySweep<double> sweep(system);
+    const FrequencySweep sweep(system);
     const AdhesionModel<> model(contact, system, judge_stability(system));
     const FrictionModel friction(contact, steady_system(mesh, scheme, kernel), {0.3, 1e9 * mean_hertz_pressure(mesh)});
     const auto rest = friction.at_rest();

@@ -1,7 +1,7 @@
 // A user of headers with bodies, with the headers alone or, beside compiled.cpp, with rollbem::compiled.
 #include <cmath>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 
 #ifndef FACES_MAIN
 #define FACES_MAIN main

@@ -32,6 +32,7 @@ set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
 add_consumer_test(find_package smallest "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
 add_consumer_test(faces faces "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
+add_consumer_test(own_units own_units "-DCMAKE_PREFIX_PATH=${prefix}" -DUNITS=ON ${no_gsl})
 add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
 # A unit with another alignment is not linked, and the linker says why.
 add_test(NAME package.other_alignment

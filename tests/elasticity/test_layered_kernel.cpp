@@ -1,4 +1,4 @@
-// rollbem/elasticity/layered_kernel.hpp and rollbem/assembly/detail/delta_part.hpp
+// rollbem/elasticity/line_kernel.hpp and rollbem/assembly/detail/delta_part.hpp
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,11 +8,18 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
@@ -152,7 +159,7 @@ TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]")
 
 TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const double nu = 0.28, mu_p0 = 1e-3;
-    const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
+    const Contact contact = Contact::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
         const FrictionModel model(
@@ -214,7 +221,7 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     CHECK(refusal([&] {
               rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>(0.1, 0.75, 0.25), 5));
           }).find("Lambda") != std::string::npos);
-    const Contact<double> other = Contact<double>::dimensionless(50, 0.25);
+    const Contact other = Contact::dimensionless(50, 0.25);
     CHECK(refusal([&] {
               AdhesionModel<>(other, rolling_system(mesh, halves, layered), unchecked);
           }).find("b/a of the kernel over b/a of the contact") != std::string::npos);

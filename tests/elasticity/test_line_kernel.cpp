@@ -9,7 +9,6 @@
 #include <gsl/gsl_integration.h>
 
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 
 #include "support/brute_force.hpp"
@@ -43,7 +42,7 @@ Scalar g(const Kernel& kernel, Scalar x) {
 TEST_CASE("The strip's g is Cerruti's point solution integrated over the width", "[kernel]") {
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double b : {0.01, 0.5, 4.0, 100.0}) {
-            const Contact<double> contact = Contact<double>::dimensionless(b, nu);
+            const Contact contact = Contact::dimensionless(b, nu);
             for (const double x : {1e-3, -0.02, 0.3, 1.0, -2.0}) {
                 // Eq. (3): displacement along the force at (x, y); across it for lateral creepage
                 const auto point = [x](double c_along, double c_across) {
@@ -130,13 +129,13 @@ TEST_CASE("AnyKernel is the kernel of its model", "[kernel]") {
         CHECK(of_any.log_strength() == same.log_strength());
     };
     const auto any = [](double b, LineModel model) {
-        return AnyKernel<double>::longitudinal(model, Contact<double>::dimensionless(b, 0.3));
+        return AnyKernel<double>::longitudinal(model, Contact::dimensionless(b, 0.3));
     };
     for (const double b : {0.1, 4.0, 1000.0}) {  // without a logarithm, and with one
         check(any(b, LineModel::strip), StripKernel<double>(b, 0.7, 0.3));
         if (b > 1) check(any(b, LineModel::plane), PlaneKernel<double>(b, 0.7, 0.3));
     }
-    const Contact<double> contact = Contact<double>::dimensionless(5, 0.3);
+    const Contact contact = Contact::dimensionless(5, 0.3);
     check(AnyKernel<double>::lateral(LineModel::strip, contact), StripKernel<double>::lateral(contact));
     CHECK_THROWS_WITH(rolling_system(mesh, Collocation{}, any(0.1, LineModel::plane)),
                       Catch::Matchers::ContainsSubstring("Lambda"));

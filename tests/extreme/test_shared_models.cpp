@@ -43,7 +43,7 @@ void check_shared(const std::function<Numbers()>& work) {
 }
 
 TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling", "[threads]") {
-    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
+    const Contact contact = Contact::dimensionless(10, nu);
     const Mesh<double> mesh = cosine_mesh(20);
     const auto strip = StripKernel<double>::longitudinal(contact);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
@@ -56,7 +56,7 @@ TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling"
 }
 
 TEST_CASE("Threads may share a transient model for repeated and new distances", "[threads]") {
-    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
+    const Contact contact = Contact::dimensionless(10, nu);
     const AdhesionModel<> model(
         contact, rolling_system(cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact)), unchecked);
     check_shared([&] {
@@ -76,7 +76,7 @@ TEST_CASE("Threads may share a transient model for repeated and new distances", 
 }
 
 TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[threads]") {
-    const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+    const Contact contact = Contact::dimensionless(1e4, nu);
     const Mesh<double> mesh = cosine_mesh(20);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const Friction friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
@@ -101,10 +101,10 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
 
 TEST_CASE("Threads may share frequency sweeps and the polynomial approach", "[threads]") {
     const PlaneKernel<double> plane(1000, 1 - nu, nu);
-    const FrequencySweep<double> reduced(rolling_system(cosine_mesh(20), scheme, plane));
+    const FrequencySweep reduced(rolling_system(cosine_mesh(20), scheme, plane));
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
     weak.row(3) *= 1e-9;  // too ill-conditioned to reduce, but valid input
-    const FrequencySweep<double> full(
+    const FrequencySweep full(
         ElementSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());
     REQUIRE(!full.reduced());

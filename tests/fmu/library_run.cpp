@@ -9,31 +9,29 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 
 namespace {
 
 using rollbem::Status;
-using Hertz = rollbem::HertzPatchLoad<double>;
+using Hertz = rollbem::HertzPatchLoad;
 using Model = rollbem::FrictionModel;
 
 constexpr double poisson_ratio = 0.28, friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;
 
 /// The ellipse under largest_load.
-rollbem::HertzEllipse<double> start_ellipse() {
-    const rollbem::ElasticBody<double> body{2 * 8e10 * (1 + poisson_ratio), poisson_ratio};
-    return rollbem::HertzEllipse<double>({.load = largest_load,
-                                          .radii_1 = {.rolling = 0.46, .lateral = 1e9},
-                                          .radii_2 = {.rolling = 1e9, .lateral = 0.3},
-                                          .body_1 = body,
-                                          .body_2 = body});
+rollbem::HertzEllipse start_ellipse() {
+    const rollbem::ElasticBody body{2 * 8e10 * (1 + poisson_ratio), poisson_ratio};
+    return rollbem::HertzEllipse({.load = largest_load,
+                                  .radii_1 = {.rolling = 0.46, .lateral = 1e9},
+                                  .radii_2 = {.rolling = 1e9, .lateral = 0.3},
+                                  .body_1 = body,
+                                  .body_2 = body});
 }
 
 template <std::size_t Count>
@@ -44,14 +42,14 @@ bool read(std::array<double, Count>& numbers) {
     return true;
 }
 
-void print(const rollbem::TangentialForce<double>& force, double work, Eigen::Index stick_count) {
+void print(const rollbem::TangentialForce& force, double work, Eigen::Index stick_count) {
     std::printf("%a %a %a %a %a\n", force.longitudinal, force.lateral, force.moment, work,
                 static_cast<double>(stick_count));
 }
 
 bool roll_patch(bool fixed, bool steady) {
-    const rollbem::HertzEllipse<double> ellipse = start_ellipse();
-    const rollbem::PatchContact<double> contact = ellipse.contact();
+    const rollbem::HertzEllipse ellipse = start_ellipse();
+    const rollbem::PatchContact contact = ellipse.contact();
     const rollbem::PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
     const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
     const rollbem::HalfSpace<double> kernel(poisson_ratio);
@@ -59,7 +57,7 @@ bool roll_patch(bool fixed, bool steady) {
     Model model(contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
                 rollbem::unchecked, {friction_coefficient, hertz_pressures(contact, mesh, largest_load)});
     Model::Workspace workspace = model.workspace();
-    rollbem::NormalLoad<double> normal = hertz.at(nominal_load);
+    rollbem::NormalLoad normal = hertz.at(nominal_load);
     Model::State now = model.at_rest();
     now.normal_pressure = normal.normal_pressure;
     now.half_length = normal.half_length;
@@ -71,7 +69,7 @@ bool roll_patch(bool fixed, bool steady) {
         hertz.set(load, normal);
         normal.normal_pressure *= factor;
         normal.pressure_rate *= factor;
-        const rollbem::Creepage<double> shift{duration * longitudinal, duration * lateral, duration * spin};
+        const rollbem::Creepage shift{duration * longitudinal, duration * lateral, duration * spin};
         const auto step =
             steady
                 ? model.steady(now, {.motion = {longitudinal / speed, lateral / speed, spin / speed}, .load = normal},
@@ -87,7 +85,7 @@ bool roll_patch(bool fixed, bool steady) {
 
 bool roll_by_table(const std::string& file) {
     const auto table = rollbem::CreepForceTable::read(file);
-    const rollbem::HertzEllipse<double> ellipse = start_ellipse();
+    const rollbem::HertzEllipse ellipse = start_ellipse();
     double work = 0;
     bool first = true;
     for (std::array<double, 7> line{}; read(line); first = false) {

@@ -7,7 +7,7 @@ FrictionModel make(const Setup& setup, bool steady) {
                                : setup.falls ? FrictionLaw(setup.falling)
                                              : FrictionLaw(setup.constant);
     const Friction friction{chosen, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
-    const Contact<double> contact = setup.contact();
+    const Contact contact = setup.contact();
     if (setup.directions == 2) {
         const ElementSystem both(setup.system(false, steady), setup.system(true, steady));
         return {contact, both, setup.checks, friction, setup.integrator};

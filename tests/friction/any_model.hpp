@@ -12,9 +12,14 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
@@ -29,8 +34,8 @@ using AnyLaw = std::function<double(double)>;
 using Law = falling_tests::Law;
 using State = FrictionState;
 using Step = FrictionStep;
-using Motion = RigidMotion<Creepage<double>>;
-using Load = NormalLoad<double>;
+using Motion = RigidMotion<Creepage>;
+using Load = NormalLoad;
 using Workspace = FrictionModel::Workspace;
 using same_bits::same;
 
@@ -53,12 +58,12 @@ struct Setup {
     double constant = law.mu_0;
     double least = least_velocity;
     std::optional<AnyLaw> any{};  // instead of these laws
-    std::optional<Contact<double>> own_contact{};
+    std::optional<Contact> own_contact{};
     std::optional<ArrayX<double>> own_pressure{};
 
-    Contact<double> contact() const {
-        return own_contact.value_or(Contact<double>(
-            {.half_length = a, .half_width = half_width, .shear_modulus = shear_modulus, .poisson_ratio = nu}));
+    Contact contact() const {
+        return own_contact.value_or(
+            Contact({.half_length = a, .half_width = half_width, .shear_modulus = shear_modulus, .poisson_ratio = nu}));
     }
     ArrayX<double> pressure() const { return own_pressure.value_or(peak_pressure * mean_hertz_pressure(mesh)); }
     AnyKernel<double> kernel(bool lateral) const {
@@ -78,7 +83,7 @@ struct Setup {
 FrictionModel make(const Setup& setup, bool steady = false);
 
 /// A step under a load, or, if it is null, under the load of the state.
-inline Step advance(const FrictionModel& model, const State& from, const Travel<double>& travel, const Motion& motion,
+inline Step advance(const FrictionModel& model, const State& from, const Travel& travel, const Motion& motion,
                     const Load* load, State& to, Workspace& workspace) {
     return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)
                            : model.advance(from, {travel, motion, *load}, to, workspace);
@@ -96,17 +101,17 @@ struct Ride {
         return *alone_;
     }
 
-    static Travel<double> travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
+    static Travel travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
     /// Trials, which do not change `now`.
-    Step try_steady(const Creepage<double>& creepage, const Load* load = nullptr) {
-        return load == nullptr ? model.steady(now, {Travel<>::at_speed(speed), creepage}, next, own)
-                               : model.steady(now, {Travel<>::at_speed(speed), creepage, *load}, next, own);
+    Step try_steady(const Creepage& creepage, const Load* load = nullptr) {
+        return load == nullptr ? model.steady(now, {Travel::at_speed(speed), creepage}, next, own)
+                               : model.steady(now, {Travel::at_speed(speed), creepage, *load}, next, own);
     }
     Step try_step(double dq, const Motion& motion, const Load* load = nullptr) {
         return advance(model, now, travel(dq), motion, load, next, own);
     }
     void accept() { std::swap(now, next); }
-    Step steady(const Creepage<double>& creepage, const Load* load = nullptr) {
+    Step steady(const Creepage& creepage, const Load* load = nullptr) {
         const Step step = try_steady(creepage, load);
         accept();
         return step;
@@ -155,18 +160,18 @@ inline std::string words(const Setup& setup) {
 constexpr double sliding = 2 * (1 - falling_tests::poisson_ratio) * law.mu_0 * peak_pressure / shear_modulus;
 
 /// Creepage by its size over `sliding` and its angle to the rolling direction.
-inline Creepage<double> creepage(double ratio, double degrees = 0) {
+inline Creepage creepage(double ratio, double degrees = 0) {
     const double angle = degrees * std::numbers::pi / 180;
     return {sliding * ratio * std::cos(angle), sliding * ratio * std::sin(angle)};
 }
 inline Motion shift(double ratio, double degrees = 0) {  // by `ratio` times what slides in a tenth of a
-    const Creepage<double> by = creepage(0.1 * a * ratio, degrees);
+    const Creepage by = creepage(0.1 * a * ratio, degrees);
     return Motion::shift(by);
 }
 
-inline Eigen::Vector2d vector(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral}; }
-inline Eigen::Vector2d vector(const Creepage<double>& value) { return {value.longitudinal, value.lateral}; }
-inline Eigen::Matrix2d matrix(const CreepageTangent<double>& tangent) {
+inline Eigen::Vector2d vector(const TangentialForce& force) { return {force.longitudinal, force.lateral}; }
+inline Eigen::Vector2d vector(const Creepage& value) { return {value.longitudinal, value.lateral}; }
+inline Eigen::Matrix2d matrix(const CreepageTangent& tangent) {
     Eigen::Matrix2d columns;
     columns << vector(tangent.by_longitudinal), vector(tangent.by_lateral);
     return columns;

@@ -33,7 +33,7 @@ struct Scene {
     Mesh<double> mesh;
     double distance;  // of the memory [m]
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    Contact<double> contact{
+    Contact contact{
         {.half_length = a, .half_width = half_width, .shear_modulus = shear_modulus, .poisson_ratio = poisson_ratio}};
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 

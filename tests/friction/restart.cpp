@@ -13,8 +13,14 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/any_model.hpp"
 
@@ -81,7 +87,7 @@ void step(Run<AdhesionModel<>>& run, int k, bool even, std::ostream* file) {
 }
 void step(Run<FrictionModel>& run, int k, bool even, std::ostream* file) {
     const double ratio = even ? 0.5 : 1.2 * std::sin(0.3 * k), dq = even || k % 7 == 0 ? 0.4 : 0.1;
-    const Travel<double> travel = Ride::travel(dq);
+    const Travel travel = Ride::travel(dq);
     const double longer = 1 + 0.02 * std::sin(0.1 * k);
     const State& now = run.now();
     const Load load{longer * now.normal_pressure, longer * now.half_length, now.normal_pressure};

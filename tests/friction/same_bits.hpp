@@ -18,11 +18,11 @@ bool same(const Eigen::DenseBase<Derived>& one, const Eigen::DenseBase<Derived>&
     }
     return equal;
 }
-inline bool same(const rollbem::TangentialForce<double>& one, const rollbem::TangentialForce<double>& other) {
+inline bool same(const rollbem::TangentialForce& one, const rollbem::TangentialForce& other) {
     return same(one.longitudinal, other.longitudinal) && same(one.lateral, other.lateral) &&
            same(one.moment, other.moment);
 }
-inline bool same(const rollbem::CreepageTangent<double>& one, const rollbem::CreepageTangent<double>& other) {
+inline bool same(const rollbem::CreepageTangent& one, const rollbem::CreepageTangent& other) {
     return same(one.by_longitudinal, other.by_longitudinal) && same(one.by_lateral, other.by_lateral) &&
            same(one.by_spin, other.by_spin);
 }

@@ -4,7 +4,13 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 namespace friction_tests {
 
@@ -19,13 +25,13 @@ constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
 using Motion = FrictionModel::Motion;
 inline double slope(const FrictionStep& step) { return step.tangent.by_longitudinal.longitudinal; }
-inline double force_ratio(const FrictionStep& step, const Contact<double>& contact) {
+inline double force_ratio(const FrictionStep& step, const Contact& contact) {
     return -step.force.longitudinal / (full_force * contact.width());
 }
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, Collocation scheme_ = half, double mu = 1, double aspect = 1e4)
-        : contact(Contact<double>::dimensionless(aspect, nu)),
+        : contact(Contact::dimensionless(aspect, nu)),
           kernel(PlaneKernel<double>::longitudinal(contact)),
           mesh(std::move(mesh_)),
           scheme(scheme_),
@@ -37,7 +43,7 @@ struct Scene {
         return {contact, system(), unchecked, friction, integrator};
     }
 
-    Contact<double> contact;
+    Contact contact;
     PlaneKernel<double> kernel;
     Mesh<double> mesh;
     Collocation scheme;
@@ -49,7 +55,7 @@ inline FrictionStep from_scratch(const FrictionModel& model, double xi) {
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
     FrictionWorkspace workspace = model.workspace();
-    return model.steady(rest, {.motion = Creepage<double>{xi}}, state, workspace);
+    return model.steady(rest, {.motion = Creepage{xi}}, state, workspace);
 }
 
 }  // namespace friction_tests

@@ -1,11 +1,15 @@
-// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/centre_values.hpp: elastic energy and slip work.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/detail/centre_values.hpp: elastic energy and slip work.
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
-#include <rollbem/system/centre_values.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/centre_values.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -38,7 +42,7 @@ TEST_CASE("The elastic energy of full sliding is the exact one at any half-lengt
 
     // SI units
     const double a = 6e-3, G = 8e10;
-    const Contact<double> contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
+    const Contact contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
     const FrictionModel in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
     FrictionState loaded = in_si.at_rest();
     loaded.traction = G * state.traction;
@@ -126,9 +130,9 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
-            const FrictionStep step =
-                k % 2 == 0 ? model.advance(now, {0, Motion::shift({peak * wave})}, next, workspace)
-                           : model.advance(now, {0.3, Creepage<double>{creepage(4 * wave)}}, next, workspace);
+            const FrictionStep step = k % 2 == 0
+                                          ? model.advance(now, {0, Motion::shift({peak * wave})}, next, workspace)
+                                          : model.advance(now, {0.3, Creepage{creepage(4 * wave)}}, next, workspace);
             REQUIRE(step.status == Status::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);

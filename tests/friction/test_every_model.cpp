@@ -210,7 +210,7 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
                 };
                 agrees(ride.try_steady(creepage(ratio, 20)), ride.next);
                 agrees(
-                    ride.alone().steady(settled, {Travel<>::at_speed(speed), creepage(ratio, 20)}, ride.next, ride.own),
+                    ride.alone().steady(settled, {Travel::at_speed(speed), creepage(ratio, 20)}, ride.next, ride.own),
                     ride.next);
             }
         }
@@ -266,6 +266,20 @@ TEST_CASE("Forces and work converge in dq at the order of the integrator", "[fri
                 CHECK(std::abs(order_of_work - (second ? 2 : 1)) < 0.1);
             }
         }
+    }
+}
+
+TEST_CASE("A rigid shift from rest spends half of its slip work on jumps", "[friction]") {
+    // tractions grow along slip, J is the integral of p s/2
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        const FrictionModel model = make(setup);
+        State next = model.at_rest();
+        Workspace workspace = model.workspace();
+        const Step step = model.advance(model.at_rest(), {Ride::travel(0), shift(2)}, next, workspace);
+        REQUIRE(step.status == Status::ok);
+        CHECK(step.slip_work > 0);
+        CHECK(step.jump_work == Approx(-step.slip_work / 2).epsilon(1e-3));
     }
 }
 

@@ -24,7 +24,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std:
 struct Task {
     int kind;
     double dq;
-    Creepage<double> start, end;
+    Creepage start, end;
     Load load;
 
     static Task any(Draw& draw, const Setup& setup, double half_length) {
@@ -39,7 +39,7 @@ struct Task {
     }
     Step run(const FrictionModel& model, const State& from, State& to, Workspace& workspace) const {
         const Load* const own = kind % 2 == 0 ? nullptr : &load;
-        if (kind == 0) return model.steady(from, {Travel<>::at_speed(speed), end}, to, workspace);
+        if (kind == 0) return model.steady(from, {Travel::at_speed(speed), end}, to, workspace);
         if (kind < 3) {
             const Motion shifts = Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral});
             return advance(model, from, Ride::travel(0), shifts, own, to, workspace);
@@ -112,7 +112,7 @@ TEST_CASE("Long runs in which nothing changes do not depend on the workspace, an
             // interrupted by another creepage, distance or shift, and by trials that are thrown away
             const double ratio = k == 150 ? 0.15 : 0.4, dq = k % 100 < 80 ? 0.2 : 0.1;
             const Motion motion = k == 220 ? shift(0.3, 20) : Motion(creepage(ratio, 20));
-            const Travel<double> travel = Ride::travel(k == 220 ? 0 : dq);
+            const Travel travel = Ride::travel(k == 220 ? 0 : dq);
             if (draw.one_in(6)) Task::any(draw, setup, a).run(ride.model, ride.now, ride.next, ride.own);
             Workspace fresh = ride.model.workspace();
             const Step found = ride.model.advance(ride.now, {travel, motion}, ride.next, ride.own);
@@ -224,11 +224,11 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
         REQUIRE(ride.try_step(0.1, creepage(0.5, 30)).status == Status::ok);
         const State rest = ride.now, kept = ride.next;
         const Eigen::MatrixXd slip = ride.own.slip();
-        const Creepage<double> creeps = creepage(0.5, 30);
+        const Creepage creeps = creepage(0.5, 30);
         const auto refused = [&](Status expected, const Step& step) {
             check_refused(ride, step, expected, kept, slip);
         };
-        const auto advance = [&](const State& from, const Travel<double>& travel, const Motion& motion,
+        const auto advance = [&](const State& from, const Travel& travel, const Motion& motion,
                                  const Load* load = nullptr) {
             return any_model::advance(ride.model, from, travel, motion, load, ride.next, ride.own);
         };
@@ -236,8 +236,8 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
         const auto refused_state = [&](Status expected, const State& from, Status alone) {
             refused(expected, advance(from, Ride::travel(0.1), creeps));
             refused(expected, advance(from, Ride::travel(0), shift(0.5)));
-            refused(expected, ride.model.steady(from, {Travel<>::at_speed(speed), creeps}, ride.next, ride.own));
-            refused(alone, ride.alone().steady(from, {Travel<>::at_speed(speed), creeps}, ride.next, ride.own));
+            refused(expected, ride.model.steady(from, {Travel::at_speed(speed), creeps}, ride.next, ride.own));
+            refused(alone, ride.alone().steady(from, {Travel::at_speed(speed), creeps}, ride.next, ride.own));
         };
 
         for (const double bad : {0.0, -1.0, nan, infinite}) {
@@ -247,12 +247,12 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
             if (!setup.falls) continue;
             refused(Status::invalid_step, advance(rest, {0.1 * a, bad}, creeps));
             refused(Status::invalid_step,
-                    ride.model.steady(rest, {Travel<>::at_speed(bad), creeps}, ride.next, ride.own));
+                    ride.model.steady(rest, {Travel::at_speed(bad), creeps}, ride.next, ride.own));
             refused(Status::invalid_step,
-                    ride.alone().steady(rest, {Travel<>::at_speed(bad), creeps}, ride.next, ride.own));
+                    ride.alone().steady(rest, {Travel::at_speed(bad), creeps}, ride.next, ride.own));
         }
         for (const double bad : {nan, infinite}) {
-            for (const Creepage<double>& motion : {Creepage<double>{bad, bad}, {bad, 0}, {0, bad}}) {
+            for (const Creepage& motion : {Creepage{bad, bad}, {bad, 0}, {0, bad}}) {
                 if (setup.directions == 1 && motion.longitudinal == 0) continue;
                 CAPTURE(bad, motion.longitudinal);
                 refused(Status::not_finite, advance(rest, Ride::travel(0.1), motion));
@@ -260,9 +260,9 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
                 refused(Status::not_finite, advance(rest, Ride::travel(0.1), Motion::linear(motion, creeps)));
                 refused(Status::not_finite, advance(rest, Ride::travel(0), Motion::shift(motion)));
                 refused(Status::not_finite,
-                        ride.model.steady(rest, {Travel<>::at_speed(speed), motion}, ride.next, ride.own));
+                        ride.model.steady(rest, {Travel::at_speed(speed), motion}, ride.next, ride.own));
                 refused(Status::not_finite,
-                        ride.alone().steady(rest, {Travel<>::at_speed(speed), motion}, ride.next, ride.own));
+                        ride.alone().steady(rest, {Travel::at_speed(speed), motion}, ride.next, ride.own));
             }
         }
 
@@ -303,7 +303,7 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
         State breathed = rest;
         breathed.half_length = 1.1 * a;
         refused(Status::needs_fixed_mesh,
-                ride.alone().steady(breathed, {Travel<>::at_speed(speed), creeps}, ride.next, ride.own));
+                ride.alone().steady(breathed, {Travel::at_speed(speed), creeps}, ride.next, ride.own));
 
         // what is written to: another state of the same size
         State here = rest, small = make(others[0]).at_rest();
@@ -319,7 +319,7 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
             Workspace foreign = make(other).workspace();
             refused(Status::wrong_state, ride.model.advance(rest, {Ride::travel(0.1), creeps}, ride.next, foreign));
             refused(Status::wrong_state,
-                    ride.alone().steady(rest, {Travel<>::at_speed(speed), creeps}, ride.next, foreign));
+                    ride.alone().steady(rest, {Travel::at_speed(speed), creeps}, ride.next, foreign));
         }
 
         // loads
@@ -340,7 +340,7 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
             CHECK(load.check(8) == Status::invalid_load);
             refused(Status::invalid_load, advance(rest, Ride::travel(0.1), creeps, &load));
             refused(Status::invalid_load,
-                    ride.model.steady(rest, {Travel<>::at_speed(speed), creeps, load}, ride.next, ride.own));
+                    ride.model.steady(rest, {Travel::at_speed(speed), creeps, load}, ride.next, ride.own));
             CHECK(refusal([&] { ride.model.at_rest(load); }) ==
                   "FrictionModel: status of the load at rest = invalid_load must be ok: pressures of all elements, "
                   "finite and not negative, on semi-axes that the mesh can follow");
@@ -369,7 +369,7 @@ TEST_CASE("A system with a single half-length is reported as needs_fixed_mesh", 
         INFO(words(setup));
         Ride ride(setup);
         const State rest = ride.now;
-        const Creepage<double> creeps = creepage(0.5, 30);
+        const Creepage creeps = creepage(0.5, 30);
         Load load{setup.pressure(), a, {}};
         CHECK(ride.try_step(0.1, creeps, &load).status == Status::ok);
         load.half_length = 1.001 * a;
@@ -392,7 +392,7 @@ TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction
         const State rest = ride.now;
         REQUIRE(ride.step(1, creepage(0.7, 20)).status == Status::ok);
         REQUIRE(ride.now.zones != rest.zones);
-        const Step failed = ride.try_step(1e3, Creepage<double>{1e308, 1e308});
+        const Step failed = ride.try_step(1e3, Creepage{1e308, 1e308});
         CHECK(failed.status == Status::not_finite);
         CHECK(detail::is_nan(failed.force.longitudinal));
         CHECK(same(ride.next.traction, ride.now.traction));
@@ -467,8 +467,8 @@ TEST_CASE("A law that returns NaN leads to a status", "[friction][not_finite]") 
         setup.any = [](double v) { return v > 0.05 ? nan : 0.3; };
         Ride ride(setup);
         ride.now.friction_coefficient.setConstant(0.2);
-        CHECK(ride.try_step(0.1, Creepage<double>{0, 0}).status == Status::ok);
-        const Step step = ride.try_step(0.1, Creepage<double>{2e-2, 2e-2});
+        CHECK(ride.try_step(0.1, Creepage{0, 0}).status == Status::ok);
+        const Step step = ride.try_step(0.1, Creepage{2e-2, 2e-2});
         CHECK(step.status == Status::not_finite);
         CHECK(detail::is_nan(step.force.longitudinal));
         CHECK(same(ride.next.traction, ride.now.traction));
@@ -486,7 +486,7 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
         Ride ride(setup);
         int failed = 0;
         for (int k = 1; k <= 60; ++k) {
-            const Step step = ride.try_step(0.1, Creepage<double>{8e-4 * k, 6e-4 * k});
+            const Step step = ride.try_step(0.1, Creepage{8e-4 * k, 6e-4 * k});
             if (step.status == Status::ok) continue;
             REQUIRE(step.status == Status::no_solution);
             CHECK(step.complementarity_residual > 0.05);
@@ -509,7 +509,7 @@ TEST_CASE("Steady rolling from rest under a load is that under the load", "[fric
         const Load load{0.9 * setup.pressure(), 1.05 * a, setup.pressure()};
         const State rest = ride.model.at_rest(load);
         State to = ride.now;
-        const Travel<> travel = Travel<>::at_speed(speed);
+        const Travel travel = Travel::at_speed(speed);
         const Step expected = ride.model.steady(ride.now, {travel, creepage(0.5), load}, ride.next, ride.own);
         const Step found = ride.model.steady(rest, {travel, creepage(0.5)}, to, ride.own);
         REQUIRE(expected.status == Status::ok);

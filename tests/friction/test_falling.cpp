@@ -5,7 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
@@ -40,19 +46,18 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
         const State rest = steady.at_rest(), other_rest = transient.at_rest();
         State state = rest;
         for (int j = 0; j < 5; ++j) {
-            const Step step =
-                steady.steady(rest, {Travel<>::at_speed(speed), Creepage<double>{creepages[j]}}, state, workspace);
+            const Step step = steady.steady(rest, {Travel::at_speed(speed), Creepage{creepages[j]}}, state, workspace);
             CAPTURE(distances[k], creepages[j]);
             CHECK(step.status == Status::ok);
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
             CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
-            const Step other = transient.steady(other_rest, {Travel<>::at_speed(speed), Creepage<double>{creepages[j]}},
-                                                state, workspace);
+            const Step other =
+                transient.steady(other_rest, {Travel::at_speed(speed), Creepage{creepages[j]}}, state, workspace);
             CHECK(other.force.longitudinal == Approx(step.force.longitudinal).epsilon(1e-11));
             constexpr double h = 1e-7;
             const auto force = [&](double part) {
-                const Creepage<double> nearby{creepages[j] * (1 + part)};
-                return steady.steady(rest, {Travel<>::at_speed(speed), nearby}, state, workspace).force.longitudinal;
+                const Creepage nearby{creepages[j] * (1 + part)};
+                return steady.steady(rest, {Travel::at_speed(speed), nearby}, state, workspace).force.longitudinal;
             };
             const double difference = (force(h) - force(-h)) / (2 * h * creepages[j]);
             CHECK(step.tangent.by_longitudinal.longitudinal == Approx(difference).epsilon(1e-6));
@@ -77,8 +82,7 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
         double last = 0, highest = 0, lowest = 1;
         std::vector<double> falls;
         for (int k = 1; k * c.dq < 24; ++k) {
-            const Step step =
-                model.advance(now, {{c.dq * a, c.dq * a / speed}, Creepage<double>{2e-3}}, next, workspace);
+            const Step step = model.advance(now, {{c.dq * a, c.dq * a / speed}, Creepage{2e-3}}, next, workspace);
             REQUIRE(step.status == Status::ok);
             std::swap(now, next);
             const double force = force_ratio(step);
@@ -105,9 +109,9 @@ TEST_CASE("Tractions that jump within a step and return release the energy of bo
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.1 * a, fast = 10;  // all elements slide at mu_k, in the first stage of the last step backwards
-    const Travel<> travel{dq, dq / speed};
+    const Travel travel{dq, dq / speed};
     for (int k = 0; k < 3; ++k) {
-        REQUIRE(model.advance(now, {travel, Creepage<double>{fast}}, next, workspace).status == Status::ok);
+        REQUIRE(model.advance(now, {travel, Creepage{fast}}, next, workspace).status == Status::ok);
         std::swap(now, next);
     }
     const Step step = model.advance(now, {travel, Motion::linear({-10 * fast}, {fast})}, next, workspace);
@@ -148,14 +152,12 @@ TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
                               Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
-    REQUIRE(model.steady(now, {Travel<>::at_speed(speed), Creepage<double>{5e-3}}, next, workspace).status ==
-            Status::ok);
+    REQUIRE(model.steady(now, {Travel::at_speed(speed), Creepage{5e-3}}, next, workspace).status == Status::ok);
     for (Eigen::Index i = 0; i < model.size(); ++i) {
         const double v = speed * std::abs(workspace.slip()(i, 0));
         CHECK(next.friction_coefficient[i] == Approx(rising(v)).margin(1e-12));
     }
-    CHECK(model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage<double>{5e-3}}, next, workspace).status ==
-          Status::ok);
+    CHECK(model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage{5e-3}}, next, workspace).status == Status::ok);
 }
 
 }  // namespace

@@ -7,9 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/system/along_contact.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -21,37 +27,37 @@ namespace {
 constexpr double load_nu = 0.28;
 
 /// Creepage [-] by its ratio to the creepage of full sliding under the load `full_force`.
-Creepage<double> load_creepage(double ratio) { return {2 * (1 - load_nu) * peak * ratio}; }
+Creepage load_creepage(double ratio) { return {2 * (1 - load_nu) * peak * ratio}; }
 
 /// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.
-HertzLine<double> unit_line() {
+HertzLine unit_line() {
     const double compliance = 2 * (1 - load_nu * load_nu);
-    return HertzLine<double>({.load_per_width = full_force,
-                              .combined_radius = std::numbers::pi / (4 * full_force * compliance),
-                              .body_1 = {1, load_nu},
-                              .body_2 = {1, load_nu}});
+    return HertzLine({.load_per_width = full_force,
+                      .combined_radius = std::numbers::pi / (4 * full_force * compliance),
+                      .body_1 = {1, load_nu},
+                      .body_2 = {1, load_nu}});
 }
 
 struct LoadScene {
-    Contact<double> contact;  // with the half-length that the mesh is made for
+    Contact contact;  // with the half-length that the mesh is made for
     Mesh<double> mesh;
     PlaneKernel<double> kernel;
-    HertzLoad<double> hertz;
+    HertzLoad hertz;
     Collocation scheme = half;
     double mu = 1;
 
     static LoadScene breathing(Mesh<double> mesh, double half_width = 1000, double half_length = 1) {
-        const Contact<double> contact = contact_of(half_length, half_width);
-        const HertzLoad<double> hertz = HertzLoad<double>::breathing(unit_line(), mesh);
+        const Contact contact = contact_of(half_length, half_width);
+        const HertzLoad hertz = HertzLoad::breathing(unit_line(), mesh);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
     static LoadScene fixed(Mesh<double> mesh, double half_length = 1.25, double half_width = 1000) {
-        const Contact<double> contact = contact_of(half_length, half_width);
-        const HertzLoad<double> hertz = HertzLoad<double>::fixed(unit_line(), mesh, half_length);
+        const Contact contact = contact_of(half_length, half_width);
+        const HertzLoad hertz = HertzLoad::fixed(unit_line(), mesh, half_length);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
-    static Contact<double> contact_of(double half_length, double half_width) {
-        return Contact<double>(
+    static Contact contact_of(double half_length, double half_width) {
+        return Contact(
             {.half_length = half_length, .half_width = half_width, .shear_modulus = 1, .poisson_ratio = load_nu});
     }
 
@@ -74,7 +80,7 @@ std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q,
     const FrictionModel model = scene.model(integrator);
     FrictionWorkspace workspace = model.workspace();
     FrictionState now = model.at_rest(), next = now;
-    NormalLoad<double> load = scene.hertz.at(sine(0));
+    NormalLoad load = scene.hertz.at(sine(0));
     FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);
     std::vector<double> forces{force_ratio(step, scene.contact)};
     bool ok = step.status == Status::ok;
@@ -189,10 +195,10 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
     const ElementSystem<double> lateral =
         rolling_system(scene.mesh, scene.scheme, PlaneKernel<double>::lateral(scene.contact));
-    const auto check = [&](const FrictionModel& model, double limit, const Creepage<double>& creepage) {
+    const auto check = [&](const FrictionModel& model, double limit, const Creepage& creepage) {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        NormalLoad<double> load = scene.hertz.at(full_force);
+        NormalLoad load = scene.hertz.at(full_force);
         const auto advance = [&](double half_length) {
             load.half_length = half_length;
             return model.advance(now, {0.1, creepage, load}, next, workspace).status;

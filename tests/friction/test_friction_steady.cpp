@@ -5,8 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -36,7 +40,7 @@ TEST_CASE("The steady force converges to Carter's, of second order by node diffe
         std::vector<double> sizes, errors;
         for (int k = 0; k < 4; ++k) {
             const Mesh<double> mesh = make_mesh<double>(expected.topology, expected.first << k, 1);
-            const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+            const Contact contact = Contact::dimensionless(1e4, nu);
             const FrictionModel model(contact,
                                       steady_system(mesh, expected.scheme, PlaneKernel<double>::longitudinal(contact)),
                                       {1, peak * mean_hertz_pressure(mesh)});
@@ -64,7 +68,7 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
         const FrictionState rest = model.at_rest();
         FrictionState state = rest;
         FrictionWorkspace workspace = model.workspace();
-        const FrictionStep point = model.steady(rest, {.motion = Creepage<double>{creepage(0.4)}}, state, workspace);
+        const FrictionStep point = model.steady(rest, {.motion = Creepage{creepage(0.4)}}, state, workspace);
         const VectorX<double> slip = workspace.slip().col(0);
         const double widest = scene.mesh.widths().maxCoeff();
         double largest = 0;
@@ -91,14 +95,14 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
 TEST_CASE("Results are totals over the width, or per metre where it is infinite", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(20);
     const auto solved = [&](double aspect) {  // which has no influence on the plane's G'
-        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const Contact contact = Contact::dimensionless(aspect, nu);
         const FrictionModel model(contact, steady_system(mesh, half, PlaneKernel<double>::longitudinal(contact)),
                                   {1, peak * mean_hertz_pressure(mesh)});
         return from_scratch(model, creepage(0.5));
     };
     const double infinite = std::numeric_limits<double>::infinity();
     const FrictionStep wide = solved(30), narrow = solved(5), per_metre = solved(infinite);
-    CHECK(force_ratio(per_metre, Contact<double>::dimensionless(infinite, nu)) ==
+    CHECK(force_ratio(per_metre, Contact::dimensionless(infinite, nu)) ==
           Approx(carter_force_ratio(0.5)).epsilon(1e-2));
     for (const auto& [step, width] : {std::pair(wide, 60), {narrow, 10}}) {
         CHECK(step.force.longitudinal == Approx(width * per_metre.force.longitudinal).epsilon(1e-13));

@@ -1,13 +1,21 @@
 // rollbem/friction/model.hpp, state.hpp: against closed forms and full adhesion, and what a state may hold.
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
+#include "extremes/drawn.hpp"
+#include "friction/same_bits.hpp"
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -35,13 +43,13 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
             const FrictionModel model = grippy.transient(integrator), slippery = scene.transient(integrator);
             FrictionState now = model.at_rest(), next = now, small_now = slippery.at_rest(), small_next = small_now;
             FrictionWorkspace workspace = model.workspace(), small_workspace = slippery.workspace();
-            AdhesionState<> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            AdhesionState linear_now = full_adhesion.at_rest(), linear_next = linear_now;
             AdhesionWorkspace<> linear_workspace = full_adhesion.workspace();
             using LinearMotion = RigidMotion<double>;
             for (int step = 1; step <= 20; ++step) {
                 const double xi = 0.1 * std::sin(0.3 * step), dq = step % 4 == 0 ? 0.5 : 0.2;
                 const auto motion = [&](double scale) {
-                    const Creepage<double> start{scale * 0.02}, end{scale * xi};
+                    const Creepage start{scale * 0.02}, end{scale * xi};
                     return step % 3 == 0   ? Motion(end)
                            : step % 3 == 1 ? Motion::linear(start, end)
                                            : Motion::shift(end);
@@ -133,10 +141,10 @@ TEST_CASE("Matrices that do not belong to elements are rejected by name", "[fric
     const FrictionModel smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     FrictionState next = smooth.at_rest();
     FrictionWorkspace workspace = smooth.workspace();
-    CHECK(smooth.advance(smooth.at_rest(), {0.1, Creepage<double>{1e-3}}, next, workspace).force.longitudinal == 0);
+    CHECK(smooth.advance(smooth.at_rest(), {0.1, Creepage{1e-3}}, next, workspace).force.longitudinal == 0);
     scene.friction.normal_pressure[5] = 0;
     const FrictionModel gap = scene.transient();
-    CHECK(gap.advance(gap.at_rest(), {0.1, Creepage<double>{1e-3}}, next, workspace).status == Status::ok);
+    CHECK(gap.advance(gap.at_rest(), {0.1, Creepage{1e-3}}, next, workspace).status == Status::ok);
     CHECK(next.traction(5, 0) == 0);
 }
 
@@ -155,6 +163,47 @@ TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]"
     CHECK(scene.transient().fingerprint() == scene.transient(Integrator::implicit_euler).fingerprint());
     CHECK(scene.transient().fingerprint() == Scene(scene.mesh, half, 0.1, 10).transient().fingerprint());
     CHECK(scene.transient().fingerprint() != Scene(scene.mesh, half, 1, 11).transient().fingerprint());
+}
+
+TEST_CASE("What a workspace has solved before changes no bit of a step", "[friction]") {
+    drawn::Draw draw(5);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        // the bounds of both models differ under the same pressures
+        const Scene scene(cosine_mesh<double>(12)), slippery(cosine_mesh<double>(12), half, 0.6);
+        const std::array<FrictionModel, 2> models{scene.transient(integrator), slippery.transient(integrator)};
+        std::array<FrictionState, 2> now{models[0].at_rest(), models[1].at_rest()};
+        FrictionWorkspace used = models[0].workspace();
+        int refused = 0;
+        for (int k = 0; k < 150; ++k) {
+            const auto which = static_cast<std::size_t>(draw.integer(2));
+            const FrictionModel& model = models[which];
+            FrictionState& state = now[which];
+            FrictionModel::RollingStep step{k % 30 < 20 ? 0.05 : 0.08, Creepage{creepage(0.2 + 0.3 * (k % 50 / 10))}};
+            const int kind = draw.integer(8);
+            const ArrayX<double> pressure = scene.friction.normal_pressure;
+            const double share = kind == 0 ? 0.7 + 0.1 * draw.integer(4) : 1;
+            const NormalLoad load{share * (kind == 0 ? pressure : state.normal_pressure), 1, pressure};
+            if (kind < 2) step.load = load;
+            FrictionState from = state;
+            if (kind == 2) from.normal_pressure[draw.integer(12)] = -1;
+            FrictionWorkspace fresh = model.workspace();
+            FrictionState one = from, other = from;
+            const FrictionStep a = model.advance(from, step, one, used), b = model.advance(from, step, other, fresh);
+            CAPTURE(k, kind, which, a.status, b.status);
+            REQUIRE(a.status == (kind == 2 ? Status::invalid_load : Status::ok));
+            REQUIRE(a.status == b.status);
+            refused += kind == 2 ? 1 : 0;
+            if (kind == 2) continue;
+            REQUIRE(same_bits::same(one, other));
+            REQUIRE(same_bits::same(a.force, b.force));
+            REQUIRE(same_bits::same(a.tangent, b.tangent));
+            REQUIRE(same_bits::same(a.tangent_by_load, b.tangent_by_load));
+            REQUIRE(same_bits::same(used.slip(), fresh.slip()));
+            REQUIRE(same_bits::same(used.slip_work(), fresh.slip_work()));
+            state = one;
+        }
+        CHECK(refused > 5);
+    }
 }
 
 }  // namespace

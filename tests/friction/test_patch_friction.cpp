@@ -8,12 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/recommended_patch.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/system/dissipation.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
+#include <rollbem/system/detail/dissipation.hpp>
 
 #include "support/catch.hpp"
 
@@ -29,7 +36,7 @@ constexpr double mu = 0.3, nu = 0.28, G = 8e10;
 
 /// A patch of semi-axes a and b [m] with G a b = 250/3 mu N.
 struct Scene {
-    PatchContact<double> contact;
+    PatchContact contact;
     PatchMesh<double> mesh;
     HalfSpace<double> kernel{nu};
     double load, c;
@@ -45,13 +52,13 @@ struct Scene {
 
     FrictionModel steady() const { return {contact, steady_system(mesh, chebyshev, kernel), friction}; }
     /// -F_x, -F_y over mu N, -M_z over mu N c.
-    std::array<double, 3> ratios(const TangentialForce<double>& force) const {
+    std::array<double, 3> ratios(const TangentialForce& force) const {
         const double unit = -mu * load;
         return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
     }
     /// A circle: of the creepages that act together, each is the part 1/sqrt(their number) of what would need `level`
     /// mu N without slip.
-    Creepage<double> creepage(double level, bool xi, bool eta, bool phi) const {
+    Creepage creepage(double level, bool xi, bool eta, bool phi) const {
         const double unit = level * 3 / 250 / std::sqrt(int(xi) + int(eta) + int(phi));
         return {xi ? unit / 4.2262 : 0, eta ? unit / 3.7049 : 0, phi ? unit / 1.4881 / c : 0};
     }
@@ -66,7 +73,7 @@ struct Solved {
 };
 
 template <class Model>
-Solved solve(const Model& model, const Creepage<double>& creepage) {
+Solved solve(const Model& model, const Creepage& creepage) {
     auto workspace = model.workspace();
     const auto rest = model.at_rest();
     auto state = rest;
@@ -75,7 +82,7 @@ Solved solve(const Model& model, const Creepage<double>& creepage) {
 }
 
 /// What the rigid bodies do on the contact per distance rolled [J/m].
-double creep_work(const Creepage<double>& creepage, const TangentialForce<double>& force) {
+double creep_work(const Creepage& creepage, const TangentialForce& force) {
     return -(creepage.longitudinal * force.longitudinal + creepage.lateral * force.lateral +
              creepage.spin * force.moment);
 }
@@ -132,7 +139,7 @@ TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
     int rounds = 0;
     for (const Limit& limit : limits) {
         CAPTURE(limit.xi, limit.eta, limit.phi, limit.level);
-        const Creepage<double> creepage = coarse.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+        const Creepage creepage = coarse.creepage(limit.level, limit.xi, limit.eta, limit.phi);
         const Solved first = solve(coarse_model, creepage), second = solve(fine_model, creepage);
         CHECK(first.step.status == Status::ok);
         CHECK(second.step.status == Status::ok);
@@ -179,7 +186,7 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
         for (const Limit& limit : limits) {
             const double acting = int(limit.xi) + int(limit.eta) + int(limit.phi);
             if (limit.phi && limit.level / std::sqrt(acting) > spin) continue;
-            const Creepage<double> creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+            const Creepage creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
             const std::array<double, 3> ratios = scene.ratios(solve(model, creepage).step.force);
             largest = std::max(largest, difference(ratios, limit.ratios));
             moment = std::max(moment, std::abs(ratios[2] - limit.ratios[2]));
@@ -206,9 +213,8 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
         const auto coarse_model = coarse.steady(), fine_model = fine.steady();
         const double unit = 3.0 / 250;
         double largest = 0, moment = 0;
-        for (const Creepage<double>& creepage :
-             {Creepage<double>{unit / c11, 0, 0}, Creepage<double>{0, 0, 2.5 * unit / c23 / coarse.c},
-              Creepage<double>{0, -1.8 * unit / c22, 1.8 * unit / c23 / coarse.c}}) {
+        for (const Creepage& creepage : {Creepage{unit / c11, 0, 0}, Creepage{0, 0, 2.5 * unit / c23 / coarse.c},
+                                         Creepage{0, -1.8 * unit / c22, 1.8 * unit / c23 / coarse.c}}) {
             const std::array<double, 3> one = coarse.ratios(solve(coarse_model, creepage).step.force);
             const std::array<double, 3> other = fine.ratios(solve(fine_model, creepage).step.force);
             largest = std::max(largest, difference(one, other));
@@ -230,7 +236,7 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
 TEST_CASE("patch_friction: slip work is the work of the creepages") {
     const auto residual = [](const Limit& limit, Eigen::Index n) {
         const Scene scene(5e-3, 5e-3, n, n);
-        const Creepage<double> creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+        const Creepage creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
         const Solved solved = solve(scene.steady(), creepage);
         CHECK(solved.work.sum() == Approx(solved.step.slip_work).epsilon(1e-13));
         return solved.step.slip_work / creep_work(creepage, solved.step.force) - 1;
@@ -252,9 +258,9 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
         trailing[i] = -4.6e-3 * length;
         leading[i] = 3.4e-3 * length;
     }
-    const PatchContact<double> contact(Outline<double>(y, trailing, leading), 8.2e10, nu);
+    const PatchContact contact(Outline(y, trailing, leading), 8.2e10, nu);
     const double c = contact.half_length(), load = 15e3, unit = mu * load / (8.2e10 * c * c);
-    std::vector<TangentialForce<double>> forces;
+    std::vector<TangentialForce> forces;
     for (const auto& [n, m] : {std::pair{24, 32}, {16, 9}}) {
         const auto mesh = patch_mesh(contact, cosine_mesh(n), uniform_mesh(m));
         const ArrayX<double> pressure = ArrayX<double>::Constant(mesh.size(), load / contact.outline()->area());
@@ -273,7 +279,7 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
     CHECK(std::abs(forces[0].lateral - forces[1].lateral) < 0.02 * mu * load);
 
     // 8 % off in full adhesion, where two fifths of the traction assist
-    const auto long_ellipse = PatchContact<double>::dimensionless(50, 0.5);
+    const auto long_ellipse = PatchContact::dimensionless(50, 0.5);
     const auto mesh = patch_mesh(long_ellipse, 24, 24);
     CHECK_FALSE(FrictionModel(long_ellipse, steady_system(mesh, chebyshev, HalfSpace<double>(0.5)),
                               {mu, hertz_pressures(long_ellipse, mesh, 1.0)})
@@ -314,10 +320,10 @@ TEST_CASE("patch_friction: limits and symmetries") {
     CHECK(full[2] == Approx(3 * std::numbers::pi / 16).epsilon(1e-2));
 
     // the mirror image at -y: F_y and M_z change their signs with eta and phi
-    const Creepage<double> some{1e-3, 5e-4, 0.2};
-    const TangentialForce<double> force = solve(model, some).step.force,
-                                  mirrored = solve(model, {1e-3, -5e-4, -0.2}).step.force,
-                                  opposite = solve(model, {-1e-3, -5e-4, -0.2}).step.force;
+    const Creepage some{1e-3, 5e-4, 0.2};
+    const TangentialForce force = solve(model, some).step.force,
+                          mirrored = solve(model, {1e-3, -5e-4, -0.2}).step.force,
+                          opposite = solve(model, {-1e-3, -5e-4, -0.2}).step.force;
     CHECK(mirrored.longitudinal == Approx(force.longitudinal).epsilon(1e-11));
     CHECK(mirrored.lateral == Approx(-force.lateral).epsilon(1e-11));
     CHECK(mirrored.moment == Approx(-force.moment).epsilon(1e-11));

@@ -1,5 +1,5 @@
 // Contact patches whose load, size and shape vary in the time domain: on a fixed mesh
-// (rollbem/normal/hertz_patch_load.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_shapes.hpp),
+// (rollbem/normal/hertz.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_system.hpp),
 // with friction and in full adhesion.
 #include <algorithm>
 #include <array>
@@ -8,15 +8,23 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "friction/same_bits.hpp"
 #include "support/catch.hpp"
@@ -60,10 +68,10 @@ double largest_difference(const std::vector<Forces>& one, const std::vector<Forc
 /// An ellipse with a = a_0 under N_0 that breathes, N = N_0 (1 + 0.5 sin(2 pi q/8)), q in a_0; creepages that mu N_0
 /// would cause without slip.
 struct Scene {
-    PatchContact<double> contact;
+    PatchContact contact;
     PatchMesh<double> mesh;
     double c;
-    Creepage<double> creepage;
+    Creepage creepage;
 
     Scene(double a_over_b, Eigen::Index n)
         : contact({.half_length = a_0, .half_width = a_0 / a_over_b, .shear_modulus = G, .poisson_ratio = nu}),
@@ -80,7 +88,7 @@ struct Scene {
     ElementSystem<double, 2> breathing() const { return breathing_system(contact, mesh, chebyshev, kernel); }
     static double load(double q) { return N_0 * (1 + 0.5 * std::sin(std::numbers::pi / 4 * q)); }
 
-    Forces ratios(const TangentialForce<double>& force) const {
+    Forces ratios(const TangentialForce& force) const {
         const double unit = -mu * N_0;
         return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
     }
@@ -107,24 +115,23 @@ struct Scene {
     }
     std::vector<Forces> friction(const Model& model, double dq, double every = 0.4, bool alone = false) const {
         const auto load_at = [&](double size) {
-            return NormalLoad<double>{
-                size * model.at_rest().normal_pressure, size * a_0, {}, size * contact.half_width()};
+            return NormalLoad{size * model.at_rest().normal_pressure, size * a_0, {}, size * contact.half_width()};
         };
         return roll(model, load_at, dq, every, alone);
     }
     std::vector<Forces> adhesion(const AdhesionModel<2>& model, double dq) const {
-        const auto load_at = [&](double size) { return SemiAxes<double>{size * a_0, size * contact.half_width()}; };
+        const auto load_at = [&](double size) { return SemiAxes{size * a_0, size * contact.half_width()}; };
         return roll(model, load_at, dq, 0.4);
     }
 };
 
-HertzEllipse<double> ellipse(double load) {
-    const ElasticBody<double> steel{.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu};
-    return HertzEllipse<double>({.load = load,
-                                 .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
-                                 .radii_2 = {.rolling = INFINITY, .lateral = 0.3},
-                                 .body_1 = steel,
-                                 .body_2 = steel});
+HertzEllipse ellipse(double load) {
+    const ElasticBody steel{.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu};
+    return HertzEllipse({.load = load,
+                         .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
+                         .radii_2 = {.rolling = INFINITY, .lateral = 0.3},
+                         .body_1 = steel,
+                         .body_2 = steel});
 }
 
 }  // namespace
@@ -133,12 +140,12 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     const Scene scene(1, 3);
     const auto [xi, eta, phi] = scene.creepage;
     const Model model = scene.model(rolling_system(scene.mesh, chebyshev, kernel), Integrator::sdirk2);
-    const NormalLoad<double> load{model.at_rest().normal_pressure, scene.contact.half_length(), {}, 0};
+    const NormalLoad load{model.at_rest().normal_pressure, scene.contact.half_length(), {}, 0};
     const double dq = 0.1 * a_0;
     Run named(model), braced(model), tried(model);
     const Model::Step step = named.advance({dq, scene.creepage, load});
     REQUIRE(step.status == Status::ok);
-    const auto same = [&](const TangentialForce<double>& force) { CHECK(force.lateral == step.force.lateral); };
+    const auto same = [&](const TangentialForce& force) { CHECK(force.lateral == step.force.lateral); };
     same(braced.advance({dq, {{xi, eta, phi}}, load}).force);
     same(tried.try_advance({dq, {{.longitudinal = xi, .lateral = eta, .spin = phi}}, load}).force);
     same(Run(model, model.at_rest()).advance({dq, {{xi, eta, phi}}}).force);
@@ -148,11 +155,11 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     same(model.advance(model.at_rest(), {dq, {xi, eta, phi}, load}, to, workspace).force);
     const FrictionModel any(model);
     same(Run(any).advance({{dq, 1}, {xi, eta, phi}, load}).force);
-    CHECK(Run(any).steady({Travel<>::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
+    CHECK(Run(any).steady({Travel::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
           Run(model).steady({.motion = {xi, eta, phi}}).force.lateral);
     auto own = any.workspace();
     auto state = any.at_rest();
-    CHECK(any.steady(any.at_rest(), {Travel<>::at_speed(1.0), {xi, eta, phi}}, state, own).status == Status::ok);
+    CHECK(any.steady(any.at_rest(), {Travel::at_speed(1.0), {xi, eta, phi}}, state, own).status == Status::ok);
     const AdhesionModel<2> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
     CHECK(Run(adhesion).advance({dq, {{xi, eta, phi}}}).force.lateral ==
           Run(adhesion).advance({dq, scene.creepage}).force.lateral);
@@ -210,7 +217,7 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
             auto other = sticking.workspace();
             auto state = rolling.at_rest(), next = state;
             auto unbound = sticking.at_rest(), unbound_next = unbound;
-            NormalLoad<double> load{state.normal_pressure, a_0, state.normal_pressure, a_0};
+            NormalLoad load{state.normal_pressure, a_0, state.normal_pressure, a_0};
             double a = a_0, b = a_0;
             for (int k = 0; k < 5; ++k) {
                 a += 0.07 * a_0;
@@ -218,14 +225,13 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
                 load.half_length = a;
                 load.half_width = b;
                 const double dq = (0.1 + 0.05 * k) * a_0;
-                const auto motion = RigidMotion<Creepage<double>>::linear(scene.creepage, {1e-4, -2e-4, 0.5});
+                const auto motion = RigidMotion<Creepage>::linear(scene.creepage, {1e-4, -2e-4, 0.5});
                 const auto step = rolling.advance(state, {dq, motion, load}, next, workspace);
-                const auto expected =
-                    sticking.advance(unbound, {dq, motion, SemiAxes<double>{a, b}}, unbound_next, other);
+                const auto expected = sticking.advance(unbound, {dq, motion, SemiAxes{a, b}}, unbound_next, other);
                 REQUIRE(step.status == Status::ok);
                 REQUIRE(expected.status == Status::ok);
                 REQUIRE(step.stick_count == rolling.size());
-                const auto same = [&](const TangentialForce<double>& one, const TangentialForce<double>& two) {
+                const auto same = [&](const TangentialForce& one, const TangentialForce& two) {
                     const double scale =
                         std::abs(two.longitudinal) + std::abs(two.lateral) + std::abs(two.moment) / a_0;
                     CHECK(one.longitudinal == Approx(two.longitudinal).margin(1e-10 * scale));
@@ -251,7 +257,7 @@ TEST_CASE("patch_load: what rests under a load of another shape rolls as under t
     const Scene scene(1, 6);
     const Model model = scene.model(shapes().system(1), Integrator::sdirk2);
     const State under_own = model.at_rest();
-    const NormalLoad<double> load{0.8 * under_own.normal_pressure, 1.2 * a_0, {}, 0.7 * a_0};
+    const NormalLoad load{0.8 * under_own.normal_pressure, 1.2 * a_0, {}, 0.7 * a_0};
     const State rest = model.at_rest(load);
     CHECK(rest.half_length == load.half_length);
     CHECK(rest.half_width == load.half_width);
@@ -274,9 +280,9 @@ TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape 
         const Model model = scene.model(made.system(1), Integrator::sdirk2);
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        NormalLoad<double> load{now.normal_pressure, a_0, {}, a_0};
+        NormalLoad load{now.normal_pressure, a_0, {}, a_0};
         double work = 0, heat = 0;
-        TangentialForce<double> before{0, 0, 0};
+        TangentialForce before{0, 0, 0};
         constexpr double dq = 0.1;
         for (int k = 1; k <= 30; ++k) {
             load.half_length = a_0 * (1 + 0.4 * std::sin(0.9 * dq * k));
@@ -284,7 +290,7 @@ TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape 
             const auto step = model.advance(now, {dq * a_0, scene.creepage, load}, next, workspace);
             REQUIRE(step.status == Status::ok);
             heat += step.slip_work;
-            const auto power = [&](const TangentialForce<double>& force) {
+            const auto power = [&](const TangentialForce& force) {
                 return -(scene.creepage.longitudinal * force.longitudinal + scene.creepage.lateral * force.lateral +
                          scene.creepage.spin * force.moment);
             };
@@ -334,18 +340,18 @@ TEST_CASE("patch_load: shapes between the nodes") {
     auto first = rolling.workspace();
     auto second = own.workspace();
     auto now = rolling.at_rest(), then = own.at_rest();
-    const NormalLoad<double> load{scene.pressure(), a_0, {}, scene.contact.half_width()};
+    const NormalLoad load{scene.pressure(), a_0, {}, scene.contact.half_width()};
     const auto one = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = load}, now, first);
     const auto two = own.steady(own.at_rest(), {.motion = scene.creepage}, then, second);
     REQUIRE(one.status == Status::ok);
     CHECK(largest_difference({scene.ratios(one.force)}, {scene.ratios(two.force)}) < 3e-5);
     // of another size
-    const PatchContact<double> small({.half_length = 0.9 * a_0,
-                                      .half_width = 0.9 * scene.contact.half_width(),
-                                      .shear_modulus = G,
-                                      .poisson_ratio = nu});
+    const PatchContact small({.half_length = 0.9 * a_0,
+                              .half_width = 0.9 * scene.contact.half_width(),
+                              .shear_modulus = G,
+                              .poisson_ratio = nu});
     const FrictionModel alike(small, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
-    const NormalLoad<double> shorter{scene.pressure(), small.half_length(), {}, small.half_width()};
+    const NormalLoad shorter{scene.pressure(), small.half_length(), {}, small.half_width()};
     auto third = alike.workspace();
     const auto given = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = shorter}, now, first);
     const auto made = alike.steady(alike.at_rest(), {.motion = scene.creepage}, then, third);
@@ -373,14 +379,14 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
         auto workspace = model.workspace();
         auto from = model.at_rest(), to = from;
         from.half_width *= start_b;
-        const NormalLoad<double> load{from.normal_pressure, a * a_0, {}, b * a_0};
+        const NormalLoad load{from.normal_pressure, a * a_0, {}, b * a_0};
         const Status result = model.advance(from, {dq * a_0, scene.creepage, load}, to, workspace).status;
         if (&model == &many && b > 0 && start_b > 0) {
             auto other = adhesion.workspace();
             auto begin = adhesion.at_rest(), end = begin;
             begin.half_width *= start_b;
-            CHECK(adhesion.advance(begin, {dq * a_0, scene.creepage, SemiAxes<double>{a * a_0, b * a_0}}, end, other)
-                      .status == result);
+            CHECK(adhesion.advance(begin, {dq * a_0, scene.creepage, SemiAxes{a * a_0, b * a_0}}, end, other).status ==
+                  result);
         }
         return result;
     };
@@ -405,7 +411,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     CHECK(status(many, 1, 1, 0.1, 3) == Status::needs_fixed_mesh);
 
     // a line has the half-width of the contact
-    const Contact<double> contact({.half_length = a_0, .half_width = 2e-3, .shear_modulus = G, .poisson_ratio = nu});
+    const Contact contact({.half_length = a_0, .half_width = 2e-3, .shear_modulus = G, .poisson_ratio = nu});
     const FrictionModel line(
         contact, rolling_system(cosine_mesh<double>(4), chebyshev, StripKernel<double>::longitudinal(contact)),
         unchecked, {mu, ArrayX<double>::Ones(4)});
@@ -413,22 +419,22 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     auto from = line.at_rest(), to = from;
     from.half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
-        const NormalLoad<double> load{from.normal_pressure, a_0, {}, b};
-        CHECK(line.advance(from, {1e-4, Creepage<double>{1e-3}, load}, to, workspace).status ==
+        const NormalLoad load{from.normal_pressure, a_0, {}, b};
+        CHECK(line.advance(from, {1e-4, Creepage{1e-3}, load}, to, workspace).status ==
               (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
     CHECK(to.half_width == 2e-3);
 }
 
 TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one") {
-    const HertzEllipse<double> largest = ellipse(1.5 * N_0);
-    const PatchContact<double> contact = largest.contact();
+    const HertzEllipse largest = ellipse(1.5 * N_0);
+    const PatchContact contact = largest.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 7, 8);
     const ArrayX<double> areas = patch_elements(mesh, chebyshev).areas;  // in a^2
-    using Hertz = HertzPatchLoad<double>;
+    using Hertz = HertzPatchLoad;
     for (const Hertz& hertz : {Hertz::breathing(largest, contact, mesh), Hertz::fixed(largest, contact, mesh)}) {
         CAPTURE(hertz.breathes());
-        NormalLoad<double> load = hertz.at(N_0), more = load, less = load;
+        NormalLoad load = hertz.at(N_0), more = load, less = load;
         for (const double N : {1e-3 * N_0, 0.7 * N_0, 1.5 * N_0}) {
             CAPTURE(N / N_0);
             const bool resolved = hertz.breathes() || N > 0.1 * N_0;
@@ -463,11 +469,11 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
             CHECK((load.pressure_rate > 0).count() == 2);  // the middle lies on an edge between two elements
         }
         // other radii: the ellipse of the moment
-        const HertzEllipse<double> other({.load = 0.5 * N_0,
-                                          .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
-                                          .radii_2 = {.rolling = INFINITY, .lateral = 0.2},
-                                          .body_1 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu},
-                                          .body_2 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu}});
+        const HertzEllipse other({.load = 0.5 * N_0,
+                                  .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
+                                  .radii_2 = {.rolling = INFINITY, .lateral = 0.2},
+                                  .body_1 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu},
+                                  .body_2 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu}});
         REQUIRE(hertz.set(other, load) == Status::ok);
         CHECK(load.half_length == (hertz.breathes() ? other : largest).half_length());
         CHECK(load.half_width == (hertz.breathes() ? other : largest).half_width());
@@ -479,17 +485,17 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
 }
 
 TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three elements or narrower than three strips") {
-    const HertzEllipse<double> largest = ellipse(N_0);
-    const PatchContact<double> contact({.half_length = largest.half_length(),
-                                        .half_width = largest.half_width(),
-                                        .shear_modulus = G,
-                                        .poisson_ratio = nu});
+    const HertzEllipse largest = ellipse(N_0);
+    const PatchContact contact({.half_length = largest.half_length(),
+                                .half_width = largest.half_width(),
+                                .shear_modulus = G,
+                                .poisson_ratio = nu});
     for (const auto& [along, across] : {std::pair(5, 1), {9, 4}, {4, 7}, {20, 3}}) {
         CAPTURE(along, across);
         const PatchMesh<double> mesh = patch_mesh(contact, uniform_mesh(along), uniform_mesh(across));
         const double part = std::min(3.0 / std::min(along, std::max(across, 3)), 1.0);  // both axes shrink alike
-        const auto hertz = HertzPatchLoad<double>::fixed(largest, contact, mesh);
-        NormalLoad<double> load = hertz.at(N_0);
+        const auto hertz = HertzPatchLoad::fixed(largest, contact, mesh);
+        NormalLoad load = hertz.at(N_0);
         CHECK(hertz.set(N_0, load) == Status::ok);
         CHECK(hertz.set(0, load) == Status::ok);
         CHECK(load.check(mesh.size()) == Status::ok);

@@ -5,9 +5,15 @@
 #include <type_traits>
 
 #include <rollbem/adhesion/transient.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 
@@ -15,41 +21,39 @@ namespace rigid_slip_tests {
 
 using namespace rollbem;
 using Vectors = ElementVectors;
-using Motion = RigidMotion<Creepage<double>>;
+using Motion = RigidMotion<Creepage>;
 
 namespace {
 
 constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double G = 8e10, a = 5e-3, mu = 0.3, V = 20;
-constexpr Travel<double> travel{0.2 * a, 0.2 * a / V};
-constexpr Creepage<double> some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
+constexpr Travel travel{0.2 * a, 0.2 * a / V};
+constexpr Creepage some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
 
 /// A patch with a constant coefficient or one that falls with slip.
 FrictionModel patch(const FrictionLaw& law, Integrator integrator = Integrator::sdirk2) {
-    const PatchContact<double> contact(
-        {.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
+    const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
     return {contact, rolling_system(mesh, chebyshev, HalfSpace<double>(0.28)), unchecked,
             Friction{law, hertz_pressures(contact, mesh, 6e4)}, integrator};
 }
 
 /// The rigid slip of a creepage at the points of the equations.
-Vectors rows_of(const Elements<double>& elements, const Creepage<double>& creepage) {
+Vectors rows_of(const Elements<double>& elements, const Creepage& creepage) {
     Vectors rows(elements.size(), 2);
     rows.col(0) = creepage.longitudinal - creepage.spin * a * elements.y;
     rows.col(1) = creepage.lateral + creepage.spin * a * elements.x;
     return rows;
 }
 
-double difference(const TangentialForce<double>& one, const TangentialForce<double>& two) {
+double difference(const TangentialForce& one, const TangentialForce& two) {
     return std::max({std::abs(one.longitudinal - two.longitudinal), std::abs(one.lateral - two.lateral),
                      std::abs(one.moment - two.moment) / a});
 }
 
 TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
     const FrictionLaw law = GENERATE(0, 1) == 0 ? FrictionLaw(mu) : FrictionLaw(ExponentialFall{mu, 0.2, 0.05});
-    const PatchContact<double> contact(
-        {.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
+    const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
     const auto elements = patch_mesh(contact, 6, 5);
     const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();
     const Vectors first = rows_of(places, some), last = rows_of(places, other);
@@ -70,27 +74,26 @@ TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
             CHECK((next.traction - following.traction).cwiseAbs().maxCoeff() < 1e-9 * G * 1e-3);
             CHECK((workspace.slip() - by_rows.slip()).norm() <= 1e-9 * workspace.slip().norm());
         };
-        same(model.steady(now, {Travel<>::at_speed(V), some}, next, workspace),
-             model.steady(now, {Travel<>::at_speed(V), Motion({}).with_rows(first)}, following, by_rows));
+        same(model.steady(now, {Travel::at_speed(V), some}, next, workspace),
+             model.steady(now, {Travel::at_speed(V), Motion({}).with_rows(first)}, following, by_rows));
         now = next;
         same(model.advance(now, {travel, Motion::linear(some, other)}, next, workspace),
              model.advance(now, {travel, Motion::linear({}, {}).with_rows(first, last)}, following, by_rows));
         now = next;
         // half by creepages, half by rows
-        const Creepage<double> half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
+        const Creepage half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
         same(model.advance(now, {travel, other}, next, workspace),
              model.advance(now, {travel, Motion(half).with_rows(half_last)}, following, by_rows));
         now = next;
-        const Creepage<double> moved{some.longitudinal * travel.dq, some.lateral * travel.dq, some.spin * travel.dq};
+        const Creepage moved{some.longitudinal * travel.dq, some.lateral * travel.dq, some.spin * travel.dq};
         same(model.advance(now, {{0, travel.duration}, Motion::shift(moved)}, next, workspace),
-             model.advance(now, {Travel<double>{0, travel.duration}, Motion::shift({}).with_rows(shift)}, following,
-                           by_rows));
+             model.advance(now, {Travel{0, travel.duration}, Motion::shift({}).with_rows(shift)}, following, by_rows));
     }
 }
 
 /// Two directions that do not couple, from ready matrices: slip is not turned, and nothing but rows can vary it.
 struct Line {
-    Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    Contact contact = Contact::dimensionless(100, 0.28);
     Mesh<double> mesh = cosine_mesh<double>(24);
     ElementSystem<double> along = system(PlaneKernel<double>::longitudinal(contact)),
                           across = system(PlaneKernel<double>::lateral(contact));
@@ -120,8 +123,8 @@ TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
     const auto own = [&](const auto& model, const auto& motion) {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        REQUIRE(model.steady(now, {Travel<>::at_speed(1), motion}, next, workspace).status == Status::ok);
-        return model.advance(next, {Travel<double>{0.1, 1}, motion}, now, workspace);
+        REQUIRE(model.steady(now, {Travel::at_speed(1), motion}, next, workspace).status == Status::ok);
+        return model.advance(next, {Travel{0.1, 1}, motion}, now, workspace);
     };
     const Vectors crossed = rows.rowwise().reverse();
     const auto along = own(line.one(0), Motion(0.2, 0).with_rows(rows));
@@ -144,7 +147,7 @@ TEST_CASE("Slip by rows of another number, or not finite, is refused", "[frictio
     const auto now = model.at_rest();
     auto next = now;
     const auto refused = [&](const Motion& motion, Status status) {
-        CHECK(model.steady(now, {Travel<>::at_speed(1), motion}, next, workspace).status == status);
+        CHECK(model.steady(now, {Travel::at_speed(1), motion}, next, workspace).status == status);
         CHECK(model.advance(now, {0.1, motion}, next, workspace).status == status);
         CHECK(next.traction == now.traction);
     };
@@ -152,8 +155,7 @@ TEST_CASE("Slip by rows of another number, or not finite, is refused", "[frictio
     const Vectors fewer = rows.topRows(23);
     refused(Motion({}).with_rows(fewer), Status::invalid_step);
     refused(Motion({}).with_rows(rows, fewer), Status::invalid_step);
-    CHECK(model.steady(now, {Travel<>::at_speed(1), Motion::shift({})}, next, workspace).status ==
-          Status::invalid_step);
+    CHECK(model.steady(now, {Travel::at_speed(1), Motion::shift({})}, next, workspace).status == Status::invalid_step);
     rows(3, 1) = std::numeric_limits<double>::quiet_NaN();
     refused(Motion({}).with_rows(rows), Status::not_finite);
     const AdhesionModel<> adhesion(line.contact, line.along, unchecked);

@@ -1,4 +1,4 @@
-// rollbem/studies/stick_border.hpp
+// apps/studies/stick_border.hpp
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,12 +8,11 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/studies/stick_border.hpp>
 
 #include "scene.hpp"
+#include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 
@@ -56,13 +55,13 @@ struct AnyPressure {
     std::function<ArrayX<double>(const Mesh<double>&)> mean;
 };
 
-static_assert(PressureLaw<PressureTable<double>, double> && PressureLaw<HertzPressure<float>, float>);
+static_assert(PressureLaw<PressureTable, double>);
 
-const HertzPressure<double> hertz{peak};
+const HertzPressure hertz{peak};
 const AnyPressure any_hertz(hertz);
 
 struct Plane {
-    Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+    Contact contact = Contact::dimensionless(1e4, nu);
     PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
 
     template <class Pressure>
@@ -71,11 +70,11 @@ struct Plane {
     }
 };
 
-FrictionStep plain_step(const Contact<double>& contact, const auto& kernel, const Mesh<double>& mesh,
-                        const auto& pressure, double xi) {
+FrictionStep plain_step(const Contact& contact, const auto& kernel, const Mesh<double>& mesh, const auto& pressure,
+                        double xi) {
     return from_scratch(FrictionModel(contact, steady_system(mesh, half, kernel), {1, pressure(mesh)}), xi);
 }
-double plain_force(const Contact<double>& contact, const auto& kernel, const Mesh<double>& mesh, const auto& pressure,
+double plain_force(const Contact& contact, const auto& kernel, const Mesh<double>& mesh, const auto& pressure,
                    double xi) {
     return plain_step(contact, kernel, mesh, pressure, xi).force.longitudinal / contact.width();
 }
@@ -167,9 +166,9 @@ TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") 
     CHECK(slippery.border == 1);
     CHECK(std::isnan(plane.solve(hertz, 0.5).traction(1.1)));
     CHECK_THROWS_AS(plane.solve(hertz, 0.5, 0), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{-1}, 0.5), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{0}, 0.5), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{nan}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure{-1}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure{0}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure{nan}, 0.5), std::invalid_argument);
     CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
 }
 
@@ -187,7 +186,7 @@ Mesh<double> mesh_about(double border, Eigen::Index n) {
 
 TEST_CASE("The exact border on a strip agrees with fitted meshes", "[friction]") {
     for (const double aspect : {0.3, 1.0, 10.0}) {
-        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const Contact contact = Contact::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
         const auto solve = [&](double ratio) {
             return solve_stick_border(contact, kernel, 1.0, any_hertz, creepage(ratio));
@@ -239,7 +238,7 @@ TEST_CASE("The exact border on a strip agrees with fitted meshes", "[friction]")
         CHECK(sliding.border == 1);
         CHECK(-sliding.force_per_width == Approx(full_force).epsilon(1e-13));
     }
-    const Contact<double> wide = Contact<double>::dimensionless(1e6, nu);
+    const Contact wide = Contact::dimensionless(1e6, nu);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(wide);
     for (const double ratio : {0.01, 0.5, 0.99}) {
         const auto solution = solve_stick_border(wide, kernel, 1.0, any_hertz, creepage(ratio));
@@ -249,7 +248,7 @@ TEST_CASE("The exact border on a strip agrees with fitted meshes", "[friction]")
 }
 
 /// A table of the pressure at -cos of equidistant angles, zero at both ends.
-PressureTable<double> table_of(const Shaped& pressure, int count) {
+PressureTable table_of(const Shaped& pressure, int count) {
     ArrayX<double> x(count + 1), value(count + 1);
     for (int i = 0; i <= count; ++i) {
         x[i] = i == count ? 1 : -std::cos(pi * i / count);
@@ -261,7 +260,7 @@ PressureTable<double> table_of(const Shaped& pressure, int count) {
 TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integrals", "[friction]") {
     const Plane plane;
     const Shaped shape{[](double x) { return 1 + 0.3 * x; }};
-    const PressureTable<double> table = table_of(shape, 200);
+    const PressureTable table = table_of(shape, 200);
     const auto rule = detail::gauss_legendre<double>(12);
     for (const double ratio : {0.1, 0.3, 0.6}) {
         const auto solution = plane.solve(table, ratio);
@@ -293,7 +292,7 @@ TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integr
         CHECK(-solution.traction(-0.9) == Approx(table(-0.9)));
     }
     // on a strip, where the unknowns are not adapted to the kinks
-    const Contact<double> contact = Contact<double>::dimensionless(1, nu);
+    const Contact contact = Contact::dimensionless(1, nu);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     const auto strip = solve_stick_border(contact, kernel, 1.0, AnyPressure(table), creepage(0.3));
     CHECK(strip.exact);
@@ -306,7 +305,7 @@ TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integr
 TEST_CASE("The exact border under a uniform pressure has its closed form", "[friction]") {
     // (1+c)/2 = tanh^2(pi xi/(4 c1 mu p_n)), -F = mu N tanh(...), and there is never full sliding
     const Plane plane;
-    const PressureTable<double> uniform(Eigen::Array2d(-1, 1), Eigen::Array2d(peak, peak));
+    const PressureTable uniform(Eigen::Array2d(-1, 1), Eigen::Array2d(peak, peak));
     for (const double ratio : {0.05, 0.3, -0.7, 1.0, 2.0}) {
         const auto solution = plane.solve(uniform, ratio);
         const double force = std::tanh(pi / 2 * ratio);
@@ -345,8 +344,8 @@ TEST_CASE("A contact without a single border is solved by elements", "[friction]
         CHECK(solution.traction(1) == solution.elements->traction[39]);
     };
     const auto table = [](std::vector<double> x, std::vector<double> p) {
-        return PressureTable<double>(Eigen::Map<ArrayX<double>>(x.data(), Eigen::Index(x.size())),
-                                     peak * Eigen::Map<ArrayX<double>>(p.data(), Eigen::Index(p.size())));
+        return PressureTable(Eigen::Map<ArrayX<double>>(x.data(), Eigen::Index(x.size())),
+                             peak * Eigen::Map<ArrayX<double>>(p.data(), Eigen::Index(p.size())));
     };
     // two humps with a slip zone each
     by_elements(Shaped{[](double x) { return 0.02 + x * x; }}, 0.1);

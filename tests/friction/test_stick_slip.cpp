@@ -11,10 +11,17 @@
 
 #include <Eigen/Geometry>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/friction/detail/stick_slip.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
+#include "friction/same_bits.hpp"
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 
@@ -36,6 +43,7 @@ struct Solver {
     const detail::StageSolution<directions>& solve(const VectorX<double>& bound, const Vectors& traction,
                                                    const std::vector<Zone>& zones) {
         problem.bound = bound;
+        problem.measure(0);
         std::array<Vectors, directions> start;
         start.fill(traction);
         solver.start(problem, start, zones, solution);
@@ -215,6 +223,69 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         singular += is_singular_circulant(first) ? 1 : 0;
     }
     CHECK(singular > 1000);
+}
+
+// One problem after another of the same size, as they follow each other in time and as they do not: the same matrix,
+// bounds and zones again, other ones, c that changes by little, by much or its sign, or for which elements slide without
+// slip; responses in between.
+TEMPLATE_TEST_CASE_SIG("What a solver has solved before changes no bit of its results", "[friction]",
+                       ((int directions), directions), 1, 2) {
+    using Vectors = detail::Vectors<directions>;
+    drawn::Draw draw(7);
+    int repeated = 0, stopped = 0;
+    for (int trial = 0; trial < (directions == 1 ? 200 : 20); ++trial) {
+        const Eigen::Index n = 1 + trial % 20;
+        const Kind kind = trial % 3 == 0 ? Kind::singular : trial % 3 == 1 ? Kind::definite : Kind::any;
+        auto problem = random_problem<directions>(draw, n, kind);
+        if (trial % 4 == 0) problem.matrix = (problem.matrix - problem.matrix.transpose()).eval();
+        if (trial % 5 == 0) problem.constant *= 5;
+        typename Problem<directions>::Solver used(n);
+        problem.put_into(used);
+        Vectors traction = Vectors::Zero(n, directions);
+        std::vector<Zone> zones = all_stick(n);
+        VectorX<double> size_change(n);
+        for (int next = 0; next < 12; ++next) {
+            typename Problem<directions>::Solver fresh(n);
+            problem.put_into(fresh);
+            used.problem.constant[0] = problem.constant;
+            const bool repeats = used.solution.at_once;
+            const auto &a = used.solve(problem.bound, traction, zones),
+                       &b = fresh.solve(problem.bound, traction, zones);
+            CAPTURE(trial, next, n, a.rounds, b.rounds, a.path_points, b.path_points);
+            REQUIRE(same_bits::same(a.traction(), b.traction()));
+            REQUIRE(same_bits::same(a.slip(), b.slip()));
+            REQUIRE(same_bits::same(a.against_slip, b.against_slip));
+            REQUIRE(same_bits::same(a.slides, b.slides));
+            REQUIRE(a.zones == b.zones);
+            REQUIRE(same_bits::same(a.residual, b.residual));
+            REQUIRE((a.rounds == b.rounds && a.path_points == b.path_points && a.stick_count == b.stick_count));
+            REQUIRE((a.has_tangent == b.has_tangent && a.status == b.status));
+            repeated += repeats && a.at_once ? 1 : 0;
+            stopped += repeats && !a.at_once ? 1 : 0;
+            const VectorX<double> bound_change = random_vector(draw, n);
+            if (a.has_tangent && draw.integer(2) == 0) {
+                const Vectors& response = used.respond({{}, &bound_change}, size_change);
+                const Vectors first = response;
+                REQUIRE(same_bits::same(first, fresh.respond({{}, &bound_change}, size_change)));
+            }
+            traction = a.traction();
+            zones = a.zones;
+            const int change = draw.integer(10);
+            if (change == 0) problem.constant *= -1;
+            if (change == 1) problem.constant += random_vector(draw, directions * n).reshaped(n, directions);
+            if (change == 2) problem.bound = random_vector(draw, n).cwiseAbs();
+            if (change == 3) problem.bound[n / 2] = 0;
+            if (change == 4) zones = all_stick(n);
+            if (change == 5) {
+                problem.matrix *= 1.5;
+                problem.put_into(used);
+            }
+            if (change == 6) problem.constant *= 1.001;
+            if (change == 7) problem.constant -= problem.slip(traction);  // all slip vanishes, to rounding
+        }
+    }
+    CAPTURE(repeated, stopped);
+    CHECK((directions == 2 || (repeated > 200 && stopped > 200)));
 }
 
 TEST_CASE("What cannot be solved is said, and stays within the bounds", "[friction]") {

@@ -9,9 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -32,15 +38,14 @@ struct Body {
     ElementSystem<double, 2> system;
     ArrayX<double> pressure;
     double force, creepage, c, half_width;
-    std::optional<PatchContact<double>> patch{};
-    std::optional<Contact<double>> line{};
+    std::optional<PatchContact> patch{};
+    std::optional<Contact> line{};
 
     bool is_patch() const { return patch.has_value(); }
 };
 
 Body line() {
-    const Contact<double> contact(
-        {.half_length = a_0, .half_width = 10 * a_0, .shear_modulus = G, .poisson_ratio = nu});
+    const Contact contact({.half_length = a_0, .half_width = 10 * a_0, .shear_modulus = G, .poisson_ratio = nu});
     const Mesh<double> mesh = cosine_mesh<double>(12);
     const ArrayX<double> pressure = 1e9 * mean_hertz_pressure(mesh);
     const ElementSystem<double, 2> system{rolling_system(mesh, chebyshev, PlaneKernel<double>::longitudinal(contact)),
@@ -52,7 +57,7 @@ Body line() {
 Body patch(double a_over_b) {
     static const PatchShapes<double> shapes(6, 5, chebyshev, HalfSpace<double>(nu),
                                             {.least = 0.4, .largest = 2.5, .factor = 1.25});
-    const PatchContact<double> contact(
+    const PatchContact contact(
         {.half_length = a_0, .half_width = a_0 / a_over_b, .shear_modulus = G, .poisson_ratio = nu});
     const double N = 8e4 / a_over_b, c = contact.c();
     return {shapes.system(a_over_b),
@@ -80,7 +85,7 @@ Error error_of(const Body& body, Friction friction, std::optional<Integrator> in
     const auto drawn = [&] {
         const double level = draw.decades(-1, 0.6), x = draw.normal(), y = draw.normal(), z = draw.normal();
         const double unit = body.creepage * level / std::sqrt(x * x + y * y + z * z);
-        return Creepage<double>{unit * x, unit * y, unit * z / body.c};
+        return Creepage{unit * x, unit * y, unit * z / body.c};
     };
     const Elements<double>& places = body.system.elements();
     const double dq = a_0 * draw.decades(-1.5, 0);
@@ -88,49 +93,49 @@ Error error_of(const Body& body, Friction friction, std::optional<Integrator> in
         const double a = a_0 + draw.uniform(-0.05, 0.05) * dq;
         const double b = body.is_patch() ? body.half_width * draw.uniform(0.95, 1.05) : body.half_width;
         const ArrayX<double> pressure = draw.uniform(0.8, 1.2) * friction.normal_pressure;
-        return NormalLoad<double>{pressure, a, friction.normal_pressure, b};
+        return NormalLoad{pressure, a, friction.normal_pressure, b};
     };
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
-    const Travel<double> travel{dq, dq / V};
-    Creepage<double> before = drawn();
+    const Travel travel{dq, dq / V};
+    Creepage before = drawn();
     for (int k = draw.integer(4); integrator && k >= 0; --k) {
-        const Creepage<double> after = drawn();
-        const NormalLoad<double> load = loaded();
-        model.advance(now, {travel, RigidMotion<Creepage<double>>::linear(before, after), load}, next, workspace);
+        const Creepage after = drawn();
+        const NormalLoad load = loaded();
+        model.advance(now, {travel, RigidMotion<Creepage>::linear(before, after), load}, next, workspace);
         std::swap(now, next);
         before = after;
     }
-    const Creepage<double> creepage = drawn();
-    const NormalLoad<double> load = loaded();
+    const Creepage creepage = drawn();
+    const NormalLoad load = loaded();
     ElementVectors rows(body.pressure.size(), 2);  // in half of the scenes
     rows.col(0) = 0.2 * body.creepage * (places.x * places.y - places.x.square());
     rows.col(1) = 0.3 * body.creepage * (places.x.square() + places.y);
     const bool with_rows = draw.one_in(2), shifts = integrator && draw.one_in(4);
-    const auto rolled = [&](const Creepage<double>& by) {
-        return Creepage<double>{dq * by.longitudinal, dq * by.lateral, dq * by.spin};
+    const auto rolled = [&](const Creepage& by) {
+        return Creepage{dq * by.longitudinal, dq * by.lateral, dq * by.spin};
     };
     std::vector<Zone> zones;
     Error error;
     const auto at = [&](std::size_t parameter, double h) {
-        Creepage<double> changed = creepage;
-        NormalLoad<double> under = load;
+        Creepage changed = creepage;
+        NormalLoad under = load;
         if (parameter == 0) changed.longitudinal += h * body.creepage;
         if (parameter == 1) changed.lateral += h * body.creepage;
         if (parameter == 2) changed.spin += h * body.creepage / body.c;
         if (parameter == 3) under.normal_pressure += h * load.pressure_rate;
         if (parameter == 4) under.half_length += h * a_0;
         if (parameter == 5) under.half_width += h * body.half_width;
-        using Motion = RigidMotion<Creepage<double>>;
+        using Motion = RigidMotion<Creepage>;
         auto motion = shifts ? Motion::shift(rolled(changed)) : Motion::linear(before, changed);
         if (with_rows) motion = motion.with_rows(rows);
         const auto step = integrator ? model.advance(now, {travel, motion, under}, next, workspace)
-                                     : model.steady(now, {Travel<>::at_speed(V), motion, under}, next, workspace);
+                                     : model.steady(now, {Travel::at_speed(V), motion, under}, next, workspace);
         if (zones.empty()) zones = next.zones;
         error.kink = error.kink || zones != next.zones || step.status != Status::ok;
         return step;
     };
-    const auto ratios = [&](const TangentialForce<double>& force, double unit) {
+    const auto ratios = [&](const TangentialForce& force, double unit) {
         return Forces{force.longitudinal * unit, force.lateral * unit, force.moment * unit / body.c};
     };
     const auto step = at(6, 0);

@@ -5,10 +5,19 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -29,11 +38,11 @@ using State = FrictionState;
 using Step = FrictionStep;
 using Workspace = FrictionWorkspace;
 using Model = FrictionModel;
-using Motion = RigidMotion<Creepage<double>>;
+using Motion = RigidMotion<Creepage>;
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, AnyScheme scheme_ = half, double aspect = 1000)
-        : contact(Contact<double>::dimensionless(aspect, nu)),
+        : contact(Contact::dimensionless(aspect, nu)),
           longitudinal(PlaneKernel<double>::longitudinal(contact)),
           lateral(PlaneKernel<double>::lateral(contact)),
           mesh(std::move(mesh_)),
@@ -41,7 +50,7 @@ struct Scene {
           friction{1, peak * mean_hertz_pressure(mesh)} {}
 
     /// Creepage by its ratio to full sliding's in Carter's problem, and its angle in degrees; spin by that ratio.
-    Creepage<double> creepage(double ratio, double degrees, double spin) const {
+    Creepage creepage(double ratio, double degrees, double spin) const {
         const double unit = 2 * (1 - nu) * peak, angle = degrees * std::numbers::pi / 180;
         return {unit * ratio * std::cos(angle), unit * ratio * std::sin(angle), unit * spin};
     }
@@ -55,7 +64,7 @@ struct Scene {
         return {contact, system(), unchecked, friction, integrator};
     }
 
-    Contact<double> contact;
+    Contact contact;
     PlaneKernel<double> longitudinal, lateral;
     Mesh<double> mesh;
     AnyScheme scheme;
@@ -68,7 +77,7 @@ Scene nodal(Eigen::Index n, double aspect = 1000) {
 }
 
 /// The solution from rest, in a new workspace.
-Step from_scratch(const Model& model, const Creepage<double>& creepage) {
+Step from_scratch(const Model& model, const Creepage& creepage) {
     const State rest = model.at_rest();
     State state = rest;
     Workspace workspace = model.workspace();
@@ -79,12 +88,12 @@ Step from_scratch(const Model& model, const Creepage<double>& creepage) {
 struct Ratios {
     double longitudinal, lateral;
 };
-Ratios ratios(const Step& step, const Contact<double>& contact) {
+Ratios ratios(const Step& step, const Contact& contact) {
     const double full = full_force * contact.width();
     return {-step.force.longitudinal / full, -step.force.lateral / full};
 }
 
-double work_of(const TangentialForce<double>& force, const Creepage<double>& motion) {
+double work_of(const TangentialForce& force, const Creepage& motion) {
     return -force.longitudinal * motion.longitudinal - force.lateral * motion.lateral - force.moment * motion.spin;
 }
 
@@ -138,7 +147,7 @@ TEST_CASE("Work by creepage and spin becomes heat, to second order", "[friction]
     for (const auto& [ratio, spin] : {std::pair{0.5, 0.0}, std::pair{0.3, 1.0}, std::pair{0.0, 2.5}}) {
         for (const Eigen::Index n : {20, 40, 80}) {
             const Scene scene = nodal(n);
-            const Creepage<double> creepage = scene.creepage(ratio, 40, spin);
+            const Creepage creepage = scene.creepage(ratio, 40, spin);
             const Step step = from_scratch(scene.steady(), creepage);
             const double error = std::abs(step.slip_work / work_of(step.force, creepage) - 1);
             CAPTURE(ratio, spin, n, error);
@@ -173,7 +182,7 @@ TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rol
             const Scene scene = nodal(n, 10);
             const Model model = scene.transient(integrator);
             Workspace workspace = model.workspace();
-            const Creepage<double> creepage = scene.creepage(0.5, 40, 0.4);
+            const Creepage creepage = scene.creepage(0.5, 40, 0.4);
             State now = model.at_rest(), next = now;
             Step step, last;
             for (int k = 0; k < 120; ++k) {
@@ -227,7 +236,7 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     Workspace workspace = model.workspace();
     const State rest = model.at_rest();
     State next = rest;
-    const Creepage<double> spin = scene.creepage(0.3, 40, 0.1);
+    const Creepage spin = scene.creepage(0.3, 40, 0.1);
     CHECK(model.steady(rest, {.motion = spin}, next, workspace).status == Status::needs_places);
     CHECK(model.advance(rest, {0.2, spin}, next, workspace).status == Status::needs_places);
     CHECK(model.advance(rest, {0.2, Motion::linear(spin, {})}, next, workspace).status == Status::needs_places);

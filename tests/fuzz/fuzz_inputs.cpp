@@ -15,7 +15,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "friction/steady.hpp"
 #include "support/csv.hpp"
@@ -94,8 +94,8 @@ void take_friction(const std::vector<std::string>& words) {
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
     const study::Run run = study::read_run(options, friction::history_columns);
     if (!run.load_varies()) return;
-    const rollbem::HertzLoad<double> hertz = friction::hertz_load(run, mesh);
-    rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);
+    const rollbem::HertzLoad hertz = friction::hertz_load(run, mesh);
+    rollbem::NormalLoad load = hertz.at(friction::mu_N);
     const double stride = std::max(run.steps.dq, run.until() / 50);
     for (double q = 0; q < run.until(); q += stride) {
         const double end = std::min(run.until(), q + stride);

@@ -16,7 +16,7 @@ plain=-fdiagnostics-plain-output
 if "$compiler" $plain -E - < /dev/null > /dev/null 2>&1; then options="$options $plain"; fi
 
 cat > "$folder/unit.cpp" <<END
-#include <rollbem/rolling/integrator.hpp>
+#include <rollbem/rolling/detail/stage_table.hpp>
 #include <rollbem/steady/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -71,7 +71,7 @@ wrong() {
 row() {
     first=$(($(wc -l < "$folder/unit.cpp") + 1))
     for values in "$@"; do
-        printf '    { constexpr detail::StageTable<double> row(%s); (void)row; }\n' "$values" >> "$folder/unit.cpp"
+        printf '    { constexpr detail::StageTable row(%s); (void)row; }\n' "$values" >> "$folder/unit.cpp"
     done
 }
 row 1,1 2,0.5 2,0.29289321881345254

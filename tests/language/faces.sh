@@ -16,8 +16,8 @@ done
 
 bodies=$(cd "$include" && find rollbem -path '*/impl/*' | LC_ALL=C sort)
 folders=$(echo "$bodies" | sed 's,/impl/.*,,' | sort -u)
-faces=$(cd "$include" && grep -rlx '#ifndef ROLLBEM_COMPILED' rollbem | LC_ALL=C sort)
-beside=$(cd "$include" && for of in $folders; do find "$of/detail" -name '*.hpp'; done | LC_ALL=C sort)
+faces=$(cd "$include" && grep -rlxE '#ifn?def ROLLBEM_COMPILED' rollbem --include='*.hpp' | grep -v /detail/ | LC_ALL=C sort)
+beside=$(cd "$include" && for of in $folders; do [ ! -d "$of/detail" ] || find "$of/detail" -name '*.hpp'; done | LC_ALL=C sort)
 count=$(echo "$bodies" "$faces" "$beside" | wc -w)
 [ "$count" -gt 80 ] || { echo "only $count files"; exit 1; }
 # shellcheck disable=SC2086 # one word per file

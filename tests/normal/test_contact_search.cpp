@@ -13,8 +13,8 @@
 
 #include <rollbem/normal/detail/patch_shape.hpp>
 #include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "extremes/deformed_gap.hpp"
@@ -70,8 +70,8 @@ constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::
 constexpr detail::ContactSettings coarse_cells{
     .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
 
-const ElasticBody<double>& steel() {
-    static const ElasticBody<double> of{2 * 8.2e10 * 1.28, 0.28};
+const ElasticBody& steel() {
+    static const ElasticBody of{2 * 8.2e10 * 1.28, 0.28};
     return of;
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("contact_search: a cylinder on a plane, a crown on a roller: Hertz wit
         REQUIRE(contact.status == Status::ok);
         REQUIRE(contact.patches.size() == 1);
         const RailPatch& patch = contact.patches[0];
-        const HertzEllipse<double> hertz(
+        const HertzEllipse hertz(
             {.load = 1e5, .radii_1 = {0.46, infinite}, .radii_2 = {radius, 0.3}, .body_1 = steel(), .body_2 = steel()});
         CHECK(patch.approach == Approx(hertz.approach()).epsilon(2e-3));
         CHECK(patch.peak_pressure == Approx(hertz.peak_pressure()).epsilon(2e-3));
@@ -418,7 +418,7 @@ TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each oth
     CHECK(contact.patches[1].load == Approx(load).epsilon(1e-3));
     CHECK(std::abs(contact.patches[0].angle) == Approx(pi / 6).epsilon(1e-3));
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    const HertzEllipse<double> hertz(
+    const HertzEllipse hertz(
         {.load = load, .radii_1 = {0.02, 0.02}, .radii_2 = {infinite, infinite}, .body_1 = steel(), .body_2 = steel()});
     const double apart = 2 * 0.02 * std::sin(pi / 6), other = 0.3 * load * 0.72 / (pi * 8.2e10 * apart);
     CHECK(hertz.approach() + other == Approx(lower * std::cos(pi / 6)).epsilon(3e-3));

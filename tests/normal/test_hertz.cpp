@@ -29,36 +29,34 @@ long double exact_mean(const Mesh<long double>& mesh, Eigen::Index i) {
 }
 
 TEST_CASE("Hertz's line contact has the exact half-length, pressures and elastic constants", "[hertz]") {
-    const HertzLine<double> hertz({.load_per_width = 1e6,
-                                   .combined_radius = 0.46,
-                                   .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
-                                   .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
-    CHECK_THROWS_AS(HertzLine<double>({.load_per_width = 0, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0}}),
+    const HertzLine hertz({.load_per_width = 1e6,
+                           .combined_radius = 0.46,
+                           .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
+                           .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
+    CHECK_THROWS_AS(HertzLine({.load_per_width = 0, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0}}),
                     std::invalid_argument);
+    CHECK_THROWS_WITH(HertzLine({.load_per_width = 1, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0.7}}),
+                      "HertzLine: poisson_ratio = 0.7 must lie in [0, 0.5]");
     CHECK_THROWS_WITH(
-        HertzLine<double>({.load_per_width = 1, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0.7}}),
-        "HertzLine: poisson_ratio = 0.7 must lie in [0, 0.5]");
-    CHECK_THROWS_WITH(
-        HertzLine<double>(
-            {.load_per_width = 1e308, .combined_radius = 1e-290, .body_1 = {1e30, 0}, .body_2 = {1e30, 0}}),
+        HertzLine({.load_per_width = 1e308, .combined_radius = 1e-290, .body_1 = {1e30, 0}, .body_2 = {1e30, 0}}),
         "HertzLine: peak pressure = inf must be positive and finite");
     // equal bodies: E* = G/(1-nu), and p0 = E* a/(2R) from the curvature of the surfaces
-    const Contact<double> contact = hertz.contact(0.01);
+    const Contact contact = hertz.contact(0.01);
     CHECK(contact.shear_modulus() == Approx(2.1e11 / 2.56).epsilon(1e-14));
     CHECK(contact.poisson_ratio() == Approx(0.28).epsilon(1e-14));
     CHECK(contact.half_length() == hertz.half_length());
     // a = 1 whatever the peak pressure, of equal bodies
     for (const double peak : {0.1, 1.0, 30.0}) {
-        const auto unit = HertzLine<double>::dimensionless(peak);
+        const auto unit = HertzLine::dimensionless(peak);
         CHECK(unit.half_length() == Approx(1).epsilon(1e-15));
         CHECK(unit.peak_pressure() == Approx(peak).epsilon(1e-15));
     }
-    CHECK_THROWS_AS(HertzLine<double>::dimensionless(0), std::invalid_argument);
+    CHECK_THROWS_AS(HertzLine::dimensionless(0), std::invalid_argument);
     // a soft body on a hard one: half the compliance of the soft one, and its Poisson's ratio
-    const HertzLine<double> soft({.load_per_width = 1e3,
-                                  .combined_radius = 0.1,
-                                  .body_1 = {.young_modulus = 1e6, .poisson_ratio = 0.4},
-                                  .body_2 = {.young_modulus = 1e18, .poisson_ratio = 0.1}});
+    const HertzLine soft({.load_per_width = 1e3,
+                          .combined_radius = 0.1,
+                          .body_1 = {.young_modulus = 1e6, .poisson_ratio = 0.4},
+                          .body_2 = {.young_modulus = 1e18, .poisson_ratio = 0.1}});
     CHECK(soft.contact(1).shear_modulus() == Approx(2 * 1e6 / 2.8).epsilon(1e-10));
     CHECK(soft.contact(1).poisson_ratio() == Approx(0.4).epsilon(1e-10));
     CHECK(hertz.peak_pressure() ==
@@ -94,17 +92,17 @@ TEST_CASE("Hertz's mean pressures over elements are accurate to round-off", "[he
 }
 
 TEST_CASE("Hertz's contact combines bodies with extreme Poisson's ratios", "[hertz]") {
-    const ElasticBody<double> rubber{1e6, 0.5}, cork{1e6, 0};
-    const HertzLine<double> hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
+    const ElasticBody rubber{1e6, 0.5}, cork{1e6, 0};
+    const HertzLine hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
     // 1/E* = (0.75 + 1)/E
     CHECK(hertz.half_length() == Approx(std::sqrt(4e2 / std::numbers::pi * 1.75e-6)).epsilon(1e-14));
     CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
 }
 
 TEST_CASE("Hertz's pressure at a point follows the semi-ellipse", "[hertz]") {
-    const ElasticBody<double> steel{2e11, 0.28};
-    const HertzLine<double> hertz({.load_per_width = 1e6, .combined_radius = 0.5, .body_1 = steel, .body_2 = steel});
-    const HertzPressure<double> pressure = hertz.pressure();
+    const ElasticBody steel{2e11, 0.28};
+    const HertzLine hertz({.load_per_width = 1e6, .combined_radius = 0.5, .body_1 = steel, .body_2 = steel});
+    const HertzPressure pressure = hertz.pressure();
     CHECK(pressure(0.0) == hertz.peak_pressure());
     CHECK(pressure(-0.6) == Approx(0.8 * hertz.peak_pressure()).epsilon(1e-15));
     CHECK(pressure(1.0) == 0);

@@ -1,4 +1,4 @@
-// rollbem/normal/hertz_ellipse.hpp
+// rollbem/normal/hertz.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +8,9 @@
 
 #include <gsl/gsl_sf_ellint.h>
 
-#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/detail/ellipse_pressures.hpp>
+#include <rollbem/normal/detail/elliptic_integrals.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -21,14 +23,14 @@ using Catch::Matchers::ContainsSubstring;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
 constexpr double flat = std::numeric_limits<double>::infinity();
-const ElasticBody<double> steel{2.1e11, 0.28}, rubber{1e7, 0.49};
+const ElasticBody steel{2.1e11, 0.28}, rubber{1e7, 0.49};
 
-HertzEllipse<double>::Parameters wheel_on_rail() {
+HertzEllipse::Parameters wheel_on_rail() {
     return {.load = 1e5, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel};
 }
 
-HertzEllipse<double> crossed(double rolling, double lateral, double load = 1e5) {
-    return HertzEllipse<double>(
+HertzEllipse crossed(double rolling, double lateral, double load = 1e5) {
+    return HertzEllipse(
         {.load = load, .radii_1 = {rolling, lateral}, .radii_2 = {flat, flat}, .body_1 = steel, .body_2 = rubber});
 }
 
@@ -38,19 +40,19 @@ TEST_CASE("Elliptic integrals are GSL's, and keep their digits for circles", "[h
     for (const double kappa : {0.9, 0.5, 0.2, 0.03}) {
         const double e = std::sqrt((1 - kappa) * (1 + kappa));
         const double K = gsl_sf_ellint_Kcomp(e, GSL_PREC_DOUBLE), E = gsl_sf_ellint_Ecomp(e, GSL_PREC_DOUBLE);
-        const detail::EllipticIntegrals<double> at(kappa);
+        const detail::EllipticIntegrals at(kappa);
         CAPTURE(kappa);
         CHECK(relative(at.K, K) < 1e-13);
         CHECK(relative(at.D, (K - E) / (e * e)) < 1e-13);
         CHECK(relative(at.B, (E - kappa * kappa * K) / (e * e)) < 1e-13);
         CHECK(relative(at.C, (at.D - at.B) / (e * e)) < 1e-12);
     }
-    const detail::EllipticIntegrals<double> circle(1);
+    const detail::EllipticIntegrals circle(1);
     CHECK(relative(circle.K, pi / 2) < 2 * eps);
     CHECK(relative(circle.D, pi / 4) < 2 * eps);
     CHECK(relative(circle.C, pi / 16) < 2 * eps);
     // K -> ln(4/kappa), E -> 1
-    const detail::EllipticIntegrals<double> needle(1e-150);
+    const detail::EllipticIntegrals needle(1e-150);
     CHECK(relative(needle.K, std::log(4e150)) < 1e-14);
     CHECK(relative(needle.D, needle.K - 1) < 1e-14);
     CHECK(relative(needle.B, 1) < 1e-12);
@@ -63,7 +65,7 @@ TEST_CASE("Ellipses agree with Hertz's table", "[hertz]") {
                                {70, 1.284, 0.802}, {80, 1.128, 0.893}, {90, 1, 1}};
     for (const auto& [degrees, m, n] : table) {
         const double cosine = degrees == 90 ? 0 : std::cos(degrees * pi / 180), sum = 3.0;
-        const HertzEllipse<double> ellipse = crossed(1 / (sum * (1 + cosine)), 1 / (sum * (1 - cosine)));
+        const HertzEllipse ellipse = crossed(1 / (sum * (1 + cosine)), 1 / (sum * (1 - cosine)));
         const double compliance = (1 - 0.28 * 0.28) / steel.young_modulus + (1 - 0.49 * 0.49) / rubber.young_modulus;
         const double unit = std::cbrt(3 * 1e5 * compliance / (4 * sum));
         CAPTURE(degrees);
@@ -76,7 +78,7 @@ TEST_CASE("The surfaces touch within the ellipse: both curvatures of the gap are
     // under Hertz's pressure the displacement at the centre and at the ends of both axes, by quadrature of another
     // kind: the potential of the ellipsoid, (3 N/(4 pi E*)) int (1 - x^2/(a^2+w) - y^2/(b^2+w)) dw/sqrt((a^2+w)(b^2+w)
     // w)
-    const HertzEllipse<double> ellipse(wheel_on_rail());
+    const HertzEllipse ellipse(wheel_on_rail());
     const double a = ellipse.half_length(), b = ellipse.half_width(), compliance = 2 * (1 - 0.28 * 0.28) / 2.1e11;
     const auto displaced = [&](double x, double y) {
         // w = a b t^2, t = exp(pi/2 sinh u)
@@ -98,47 +100,47 @@ TEST_CASE("The surfaces touch within the ellipse: both curvatures of the gap are
 
 TEST_CASE("Equal radii give the circle, and long ellipses the line contact", "[hertz]") {
     const double compliance = (1 - 0.28 * 0.28) / steel.young_modulus + (1 - 0.49 * 0.49) / rubber.young_modulus;
-    const HertzEllipse<double> circle = crossed(0.4, 0.4);
+    const HertzEllipse circle = crossed(0.4, 0.4);
     CHECK(circle.half_length() == circle.half_width());
     CHECK(circle.turn() == 0);
     CHECK(relative(circle.half_length(), std::cbrt(3 * 1e5 * 0.4 * compliance / 4)) < 4 * eps);
     CHECK(relative(circle.approach(), circle.half_length() * circle.half_length() / 0.4) < 4 * eps);
     // in its middle a long ellipse is a line contact under the load per width 3 N/(4 b)
-    const HertzEllipse<double> needle = crossed(0.4, 0.4e9);
-    const HertzLine<double> line({.load_per_width = 3 * 1e5 / (4 * needle.half_width()),
-                                  .combined_radius = 0.4,
-                                  .body_1 = steel,
-                                  .body_2 = rubber});
+    const HertzEllipse needle = crossed(0.4, 0.4e9);
+    const HertzLine line({.load_per_width = 3 * 1e5 / (4 * needle.half_width()),
+                          .combined_radius = 0.4,
+                          .body_1 = steel,
+                          .body_2 = rubber});
     CHECK(needle.half_width() > 1e4 * needle.half_length());
     CHECK(relative(line.half_length(), needle.half_length()) < 1e-7);
     CHECK(relative(line.peak_pressure(), needle.peak_pressure()) < 1e-7);
     for (const double ratio : {1e-200, 1e-30, 1e-8, 1e8, 1e30, 1e200}) {
-        const HertzEllipse<double> ellipse = crossed(1, ratio);
+        const HertzEllipse ellipse = crossed(1, ratio);
         CAPTURE(ratio);
         CHECK((ellipse.half_length() < ellipse.half_width()) == (ratio > 1));
         CHECK(std::isfinite(ellipse.half_width()));
         CHECK(std::isfinite(ellipse.approach()));
         CHECK(ellipse.approach() > 0);
         const double kappa = detail::ellipse_of_curvatures(std::min(ratio, 1 / ratio));
-        const detail::EllipticIntegrals<double> at(kappa);
+        const detail::EllipticIntegrals at(kappa);
         CHECK(relative(kappa * kappa * at.D / at.B, std::min(ratio, 1 / ratio)) < 1e-11);
     }
 }
 
 TEST_CASE("The load is the derivative of the elastic energy by the approach, and all sizes have rates", "[hertz]") {
-    const HertzEllipse<double> ellipse(wheel_on_rail());
+    const HertzEllipse ellipse(wheel_on_rail());
     // N = c approach^(3/2): the energy 2/5 N approach
     const double h = 1e-4 * 1e5;
-    const HertzEllipse<double> more = ellipse.under(1e5 + h), less = ellipse.under(1e5 - h);
+    const HertzEllipse more = ellipse.under(1e5 + h), less = ellipse.under(1e5 - h);
     const double by_approach =
         0.4 * (more.load() * more.approach() - less.load() * less.approach()) / (more.approach() - less.approach());
     CHECK(relative(by_approach, 1e5) < 1e-8);
     CHECK(relative((more.half_length() - less.half_length()) / (2 * h), ellipse.half_length_rate()) < 1e-7);
     CHECK(relative((more.half_width() - less.half_width()) / (2 * h), ellipse.half_width_rate()) < 1e-7);
     CHECK(relative((more.approach() - less.approach()) / (2 * h), ellipse.approach_rate()) < 1e-7);
-    HertzEllipse<double>::Parameters parameters = wheel_on_rail();
+    HertzEllipse::Parameters parameters = wheel_on_rail();
     parameters.load = 3e4;
-    const HertzEllipse<double> direct(parameters), scaled = ellipse.under(3e4);
+    const HertzEllipse direct(parameters), scaled = ellipse.under(3e4);
     CHECK(relative(direct.half_length(), scaled.half_length()) < 1e-14);
     CHECK(relative(direct.approach(), scaled.approach()) < 1e-14);
     CHECK(relative(direct.peak_pressure(), scaled.peak_pressure()) < 1e-14);
@@ -146,40 +148,40 @@ TEST_CASE("The load is the derivative of the elastic energy by the approach, and
 }
 
 TEST_CASE("Bodies may be turned, exchanged and flattened", "[hertz]") {
-    HertzEllipse<double>::Parameters parameters{
+    HertzEllipse::Parameters parameters{
         .load = 1e5, .radii_1 = {0.5, 0.8}, .radii_2 = {0.3, 2}, .body_1 = steel, .body_2 = rubber};
-    const HertzEllipse<double> along(parameters);
+    const HertzEllipse along(parameters);
     parameters.angle = pi / 2;
-    const HertzEllipse<double> across(parameters);
+    const HertzEllipse across(parameters);
     parameters.radii_2 = {2, 0.3};
     parameters.angle = 0;
-    const HertzEllipse<double> swapped(parameters);
+    const HertzEllipse swapped(parameters);
     CHECK(relative(across.half_length(), swapped.half_length()) < 1e-14);
     CHECK(relative(across.half_width(), swapped.half_width()) < 1e-14);
     CHECK(std::abs(across.turn()) < 1e-14);
     CHECK(across.half_width() / across.half_length() != along.half_width() / along.half_length());
     // one curved body alone, turned: the ellipse turns with it
     for (const double angle : {0.3, -0.3, 0.7}) {
-        HertzEllipse<double>::Parameters alone{.load = 1e5,
-                                               .radii_1 = {flat, flat},
-                                               .radii_2 = {0.3, 2},
-                                               .angle = angle,
-                                               .body_1 = steel,
-                                               .body_2 = rubber};
+        HertzEllipse::Parameters alone{.load = 1e5,
+                                       .radii_1 = {flat, flat},
+                                       .radii_2 = {0.3, 2},
+                                       .angle = angle,
+                                       .body_1 = steel,
+                                       .body_2 = rubber};
         CAPTURE(angle);
-        const HertzEllipse<double> turned(alone);
+        const HertzEllipse turned(alone);
         CHECK(relative(turned.turn(), angle) < 1e-14);
         CHECK(relative(turned.half_length(), crossed(0.3, 2).half_length()) < 1e-13);
         CHECK(relative(turned.half_width(), crossed(0.3, 2).half_width()) < 1e-13);
         std::swap(alone.radii_2.rolling, alone.radii_2.lateral);
-        const HertzEllipse<double> wide(alone);
+        const HertzEllipse wide(alone);
         CHECK(relative(wide.turn(), angle) < 1e-14);
         CHECK(relative(wide.half_length(), crossed(2, 0.3).half_length()) < 1e-13);
     }
     // a concave rail
     parameters.radii_1 = {0.5, 0.25};
     parameters.radii_2 = {flat, -0.5};
-    CHECK(relative(HertzEllipse<double>(parameters).half_length(), crossed(0.5, 0.5).half_length()) < 1e-14);
+    CHECK(relative(HertzEllipse(parameters).half_length(), crossed(0.5, 0.5).half_length()) < 1e-14);
 }
 
 // n x m equal rectangles over the box of half-sides a and b
@@ -205,7 +207,7 @@ TEST_CASE("Pressures of elements are exact means, however the ellipse cuts them"
                 inverse += root;
                 // as seen after exchange of both axes, for which closed form and quadrature change their places
                 const auto [other, other_root] =
-                    detail::integrate_hemisphere<double>({element.y_1, element.y_2, element.x_1, element.x_2});
+                    detail::integrate_hemisphere({element.y_1, element.y_2, element.x_1, element.x_2});
                 CHECK(std::abs(height - other) < 1e-8);
                 CHECK(std::abs(root - other_root) < 1e-5);
             }
@@ -215,14 +217,14 @@ TEST_CASE("Pressures of elements are exact means, however the ellipse cuts them"
         }
     }
     // inside, for small elements, the value at the centre
-    const auto [height, root] = detail::integrate_hemisphere<double>({0.3, 0.302, -0.401, -0.4});
+    const auto [height, root] = detail::integrate_hemisphere({0.3, 0.302, -0.401, -0.4});
     CHECK(relative(height / 2e-6, std::sqrt(1 - 0.301 * 0.301 - 0.4005 * 0.4005)) < 1e-6);
     CHECK(relative(root / 2e-6, 1 / std::sqrt(1 - 0.301 * 0.301 - 0.4005 * 0.4005)) < 1e-5);
-    CHECK(detail::integrate_hemisphere<double>({0.8, 0.9, 0.8, 0.9})[0] == 0);
+    CHECK(detail::integrate_hemisphere({0.8, 0.9, 0.8, 0.9})[0] == 0);
 }
 
 TEST_CASE("Elements carry the load exactly, and their rates are its derivative", "[hertz]") {
-    const HertzEllipse<double> ellipse(wheel_on_rail());
+    const HertzEllipse ellipse(wheel_on_rail());
     const double a = ellipse.half_length(), b = ellipse.half_width();
     for (const double load : {1e5, 4e4, 1e3}) {
         for (const double side : {1.0, 0.97}) {  // the second loses some of the rim
@@ -251,25 +253,25 @@ TEST_CASE("Elements carry the load exactly, and their rates are its derivative",
 }
 
 TEST_CASE("The contact of an ellipse has its axes and the combined constants of both bodies", "[hertz]") {
-    HertzEllipse<double>::Parameters parameters = wheel_on_rail();
+    HertzEllipse::Parameters parameters = wheel_on_rail();
     parameters.body_1 = {.young_modulus = 2e11, .poisson_ratio = 0.25};  // 1/G = 1.25e-11
     parameters.body_2 = {.young_modulus = 1e11, .poisson_ratio = 0};     // 1/G = 2e-11
-    const HertzEllipse<double> ellipse(parameters);
-    const PatchContact<double> contact = ellipse.contact();
+    const HertzEllipse ellipse(parameters);
+    const PatchContact contact = ellipse.contact();
     CHECK(contact.half_length() == ellipse.half_length());
     CHECK(contact.half_width() == ellipse.half_width());
     CHECK(relative(contact.shear_modulus(), 1 / 1.625e-11) < 4 * eps);
     CHECK(relative(contact.poisson_ratio(), 0.25 * 1.25 / 3.25) < 4 * eps);
     parameters.angle = 0.1;
-    CHECK_THAT(refusal([&] { HertzEllipse<double>(parameters).contact(); }),
+    CHECK_THAT(refusal([&] { HertzEllipse(parameters).contact(); }),
                ContainsSubstring("HertzEllipse: turn = ") && ContainsSubstring("must be 0"));
 }
 
 TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
     const auto told = [](const auto& change) {
-        HertzEllipse<double>::Parameters parameters = wheel_on_rail();
+        HertzEllipse::Parameters parameters = wheel_on_rail();
         change(parameters);
-        return refusal([&] { HertzEllipse<double>{parameters}; });
+        return refusal([&] { HertzEllipse{parameters}; });
     };
     CHECK_THAT(told([](auto& p) { p.load = 0; }), ContainsSubstring("HertzEllipse: load = 0 must be positive"));
     CHECK_THAT(told([](auto& p) { p.radii_1.rolling = 0; }), ContainsSubstring("radii_1.rolling = 0 must be"));
@@ -279,14 +281,14 @@ TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
     CHECK_THAT(told([](auto& p) { p.angle = flat; }), ContainsSubstring("angle = inf must be finite"));
     CHECK_THAT(told([](auto& p) { p.body_1.poisson_ratio = 0.6; }), ContainsSubstring("poisson_ratio = 0.6"));
     CHECK_THAT(told([](auto& p) { p.body_2.young_modulus = -1; }), ContainsSubstring("young_modulus = -1"));
-    CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(-1); }), ContainsSubstring("load = -1"));
+    CHECK_THAT(refusal([] { HertzEllipse(wheel_on_rail()).under(-1); }), ContainsSubstring("load = -1"));
     // sizes and pressures beyond double precision
     CHECK_THAT(told([](auto& p) { p.load = p.radii_1.rolling = 1e-290; }),
                ContainsSubstring("peak pressure = inf must"));
-    CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(5e-324); }),
+    CHECK_THAT(refusal([] { HertzEllipse(wheel_on_rail()).under(5e-324); }),
                ContainsSubstring("load = 4.94065645841e-324 must"));
     CHECK_THAT(refusal([] {
-                   const PatchContact<double> contact({1e-3, 1e-3, 1, 0});
+                   const PatchContact contact({1e-3, 1e-3, 1, 0});
                    hertz_pressures(contact, patch_mesh(contact, 4, 4), 1e305);
                }),
                ContainsSubstring("largest pressure = inf must be finite"));

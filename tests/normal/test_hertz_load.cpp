@@ -1,11 +1,11 @@
-// rollbem/normal/hertz_load.hpp
+// rollbem/normal/hertz.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 
@@ -13,20 +13,20 @@ namespace {
 
 using namespace rollbem;
 
-const HertzLine<double> line({.load_per_width = 1e6,
-                              .combined_radius = 0.46,
-                              .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
-                              .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
+const HertzLine line({.load_per_width = 1e6,
+                      .combined_radius = 0.46,
+                      .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
+                      .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
 
-HertzLine<double> line_under(double load_per_width) {
-    return HertzLine<double>({.load_per_width = load_per_width,
-                              .combined_radius = 0.46,
-                              .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
-                              .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
+HertzLine line_under(double load_per_width) {
+    return HertzLine({.load_per_width = load_per_width,
+                      .combined_radius = 0.46,
+                      .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
+                      .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
 }
 
 // The mean over an element of a fixed mesh, by quadrature in the angle theta, x = -a cos(theta).
-double exact_mean(const HertzLine<double>& hertz, double low, double high) {
+double exact_mean(const HertzLine& hertz, double low, double high) {
     static const detail::QuadratureRule<double> rule = detail::gauss_legendre<double>(30);
     const double a = hertz.half_length();
     const auto angle = [&](double x) { return std::acos(std::clamp(-x / a, -1.0, 1.0)); };
@@ -41,20 +41,20 @@ double exact_mean(const HertzLine<double>& hertz, double low, double high) {
 
 TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[hertz][load]") {
     const Mesh<double> mesh = cosine_mesh<double>(17);
-    const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
+    const HertzLoad hertz = HertzLoad::breathing(line, mesh);
     CHECK(hertz.breathes());
-    NormalLoad<double> load = hertz.at(1e6);
+    NormalLoad load = hertz.at(1e6);
     // bit for bit the contact of the line itself
     CHECK(load.half_length == line.half_length());
     CHECK((load.normal_pressure == line.mean_pressure(mesh)).all());
     for (const double P : {1e-3, 3e5, 1.5e6, 1e12}) {
         REQUIRE(hertz.set(P, load) == Status::ok);
-        const HertzLine<double> there = line_under(P);
+        const HertzLine there = line_under(P);
         CHECK(load.half_length == Approx(there.half_length()).epsilon(1e-14));
         CHECK((load.normal_pressure / there.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
         CHECK((load.normal_pressure * mesh.widths()).sum() * load.half_length == Approx(P).epsilon(1e-13));
         const double h = 1e-5 * P;
-        const NormalLoad<double> more = hertz.at(P + h), less = hertz.at(P - h);
+        const NormalLoad more = hertz.at(P + h), less = hertz.at(P - h);
         const ArrayX<double> rate = (more.normal_pressure - less.normal_pressure) / (2 * h);
         CHECK((load.pressure_rate / rate - 1).abs().maxCoeff() < 1e-9);
         CHECK(hertz.half_length_rate(P) == Approx((more.half_length - less.half_length) / (2 * h)).epsilon(1e-9));
@@ -66,12 +66,12 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
         for (const Eigen::Index n : {1, 2, 12, 13, 200}) {
             const Mesh<double> mesh = uniform ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
             const double length = 1.25 * line.half_length();
-            const HertzLoad<double> hertz = HertzLoad<double>::fixed(line, mesh, length);
+            const HertzLoad hertz = HertzLoad::fixed(line, mesh, length);
             CHECK(!hertz.breathes());
-            NormalLoad<double> load = hertz.at(1e6);
+            NormalLoad load = hertz.at(1e6);
             for (const double P : {1e-6, 1.0, 2e4, 3.7e5, 1e6, 1.5e6}) {
                 REQUIRE(hertz.set(P, load) == Status::ok);
-                const HertzLine<double> there = line_under(P);
+                const HertzLine there = line_under(P);
                 CAPTURE(uniform, n, P);
                 CHECK(load.half_length == length);
                 CHECK((load.normal_pressure * mesh.widths()).sum() * length ==
@@ -80,7 +80,7 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
                 const ArrayX<double> edges = mesh.edges() * length;
                 double worst = 0, worst_rate = 0, free = 0;
                 const double h = 1e-4 * P;
-                const NormalLoad<double> less = hertz.at(P - h), more = hertz.at(P + h);
+                const NormalLoad less = hertz.at(P - h), more = hertz.at(P + h);
                 for (Eigen::Index i = 0; i < n; ++i) {
                     const double exact = exact_mean(there, edges[i], edges[i + 1]);
                     worst = std::max(worst, std::abs(load.normal_pressure[i] - exact) / there.peak_pressure());
@@ -107,17 +107,17 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
     }
     // a mesh as long as the contact
     const Mesh<double> mesh = cosine_mesh<double>(17);
-    const NormalLoad<double> whole = HertzLoad<double>::fixed(line, mesh, line.half_length()).at(1e6);
+    const NormalLoad whole = HertzLoad::fixed(line, mesh, line.half_length()).at(1e6);
     CHECK((whole.normal_pressure / line.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
 }
 
 TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Mesh<double> mesh = uniform_mesh<double>(10);
-    const HertzLoad<double> breathing = HertzLoad<double>::breathing(line, mesh);
-    const HertzLoad<double> fixed = HertzLoad<double>::fixed(line, mesh, 1.25 * line.half_length());
-    NormalLoad<double> load = fixed.at(1e6);
-    const auto refused = [&](const HertzLoad<double>& hertz, double P) {
+    const HertzLoad breathing = HertzLoad::breathing(line, mesh);
+    const HertzLoad fixed = HertzLoad::fixed(line, mesh, 1.25 * line.half_length());
+    NormalLoad load = fixed.at(1e6);
+    const auto refused = [&](const HertzLoad& hertz, double P) {
         load.half_length = 1;
         CHECK(hertz.set(P, load) == Status::invalid_load);
         CHECK(load.check(10) == Status::invalid_load);  // the load itself stays invalid
@@ -131,11 +131,11 @@ TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]
     refused(fixed, 1e6 * 1.25 * 1.25 * 1.0001);
     CHECK(fixed.set(1e6 * 1.25 * 1.25, load) == Status::ok);
     CHECK(fixed.set(0, load) == Status::ok);
-    NormalLoad<double> other = HertzLoad<double>::fixed(line, uniform_mesh<double>(9), 1).at(1);
+    NormalLoad other = HertzLoad::fixed(line, uniform_mesh<double>(9), 1).at(1);
     CHECK(fixed.set(1e6, other) == Status::invalid_load);
     CHECK(other.check(9) == Status::invalid_load);
     for (const double length : {0.0, -1.0, nan, infinity}) {
-        CHECK_THROWS_AS(HertzLoad<double>::fixed(line, mesh, length), std::invalid_argument);
+        CHECK_THROWS_AS(HertzLoad::fixed(line, mesh, length), std::invalid_argument);
     }
     CHECK_THROWS_WITH(breathing.at(0), "HertzLoad: load_per_width = 0 must be positive and finite");
 }

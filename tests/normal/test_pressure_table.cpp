@@ -1,12 +1,11 @@
-// rollbem/normal/pressure_table.hpp, normal/pressure_grid.hpp
+// rollbem/normal/pressure.hpp, normal/pressure.hpp
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/pressure_grid.hpp>
-#include <rollbem/normal/pressure_table.hpp>
+#include <rollbem/normal/pressure.hpp>
 
 #include "support/catch.hpp"
 
@@ -19,7 +18,7 @@ TEST_CASE("The means of a tabulated pressure are exact on any mesh", "[pressure]
     const auto array = [](std::initializer_list<double> values) {
         return ArrayX<double>(Eigen::Map<const ArrayX<double>>(values.begin(), Eigen::Index(values.size())));
     };
-    const PressureTable<double> table(array({-0.9, -0.25, -0.25, 0.6}), array({1, 3, 0.5, 0.5}));
+    const PressureTable table(array({-0.9, -0.25, -0.25, 0.6}), array({1, 3, 0.5, 0.5}));
     CHECK(table.integral() == Approx(0.65 * 2 + 0.85 * 0.5).epsilon(1e-14));
     const auto antiderivative = [](double x) {
         const double slope = 2 / 0.65, first = std::clamp(x + 0.9, 0.0, 0.65);
@@ -35,24 +34,23 @@ TEST_CASE("The means of a tabulated pressure are exact on any mesh", "[pressure]
     }
     // a constant is accurate to round-off even on the smallest elements
     const Mesh<double> fine = cosine_mesh<double>(100000);
-    const ArrayX<double> constant = PressureTable<double>(array({-1, 1}), array({0.7, 0.7}))(fine);
+    const ArrayX<double> constant = PressureTable(array({-1, 1}), array({0.7, 0.7}))(fine);
     CHECK((constant / 0.7 - 1).abs().maxCoeff() < 1e-15);
-    CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({0.7}))),
+    CHECK_THROWS_WITH((PressureTable(array({-1, 1}), array({0.7}))),
                       "PressureTable: number of pressures = 1 must equal the number of points");
-    CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1.5}), array({1, 1}))),
-                      "PressureTable: x/a = 1.5 must lie in [-1, 1]");
-    CHECK_THROWS_WITH((PressureTable<double>(array({-1.5, 1}), array({1, 1}))),
+    CHECK_THROWS_WITH((PressureTable(array({-1, 1.5}), array({1, 1}))), "PressureTable: x/a = 1.5 must lie in [-1, 1]");
+    CHECK_THROWS_WITH((PressureTable(array({-1.5, 1}), array({1, 1}))),
                       "PressureTable: x/a = -1.5 must lie in [-1, 1]");
-    CHECK_THROWS_WITH((PressureTable<double>(array({0, -0.5}), array({1, 1}))),
+    CHECK_THROWS_WITH((PressureTable(array({0, -0.5}), array({1, 1}))),
                       "PressureTable: x/a = -0.5 must not be less than at the previous point");
-    CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({1, -2}))),
+    CHECK_THROWS_WITH((PressureTable(array({-1, 1}), array({1, -2}))),
                       "PressureTable: pressure = -2 must be finite and not negative");
-    CHECK_THROWS_WITH((PressureTable<double>(array({0, 0}), array({1, 1}))),
+    CHECK_THROWS_WITH((PressureTable(array({0, 0}), array({1, 1}))),
                       "PressureTable: load = 0 must be positive and finite");
 }
 
 TEST_CASE("A tabulated pressure is linear between its points and zero outside them", "[pressure]") {
-    const PressureTable<double> table(Eigen::Array4d(-0.9, -0.25, -0.25, 0.5), Eigen::Array4d(1, 3, 0.5, 0.5));
+    const PressureTable table(Eigen::Array4d(-0.9, -0.25, -0.25, 0.5), Eigen::Array4d(1, 3, 0.5, 0.5));
     CHECK(table(-1.0) == 0);
     CHECK(table(-0.9) == 1);
     CHECK(table(-0.575) == Approx(2).epsilon(1e-14));
@@ -71,7 +69,7 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
     y << -1, 0.25, 4;
     f << 0, 2, 1, 3;
     g << 1, 0.5, 2;
-    const PressureGrid<double> grid(x, y, (f.matrix() * g.matrix().transpose()).eval());
+    const PressureGrid grid(x, y, (f.matrix() * g.matrix().transpose()).eval());
     const auto antiderivative = [](const ArrayX<double>& knots, const ArrayX<double>& values, double place) {
         double sum = 0;
         for (Eigen::Index k = 1; k < knots.size(); ++k) {
@@ -98,15 +96,14 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
         CHECK(means[Eigen::Index(i)] == Approx(integral / ((x_2 - x_1) * (y_2 - y_1))).epsilon(1e-13).margin(1e-14));
     }
     const MatrixX<double> ones = MatrixX<double>::Ones(4, 3);
-    CHECK_THROWS_WITH((PressureGrid<double>(x, x, ones)),
+    CHECK_THROWS_WITH((PressureGrid(x, x, ones)),
                       "PressureGrid: number of pressures = 12 must equal the number of points");
-    CHECK_THROWS_WITH((PressureGrid<double>(x.head(1), y, ones.topRows(1))),
+    CHECK_THROWS_WITH((PressureGrid(x.head(1), y, ones.topRows(1))),
                       "PressureGrid: number of x = 1 must be at least 2");
-    CHECK_THROWS_WITH((PressureGrid<double>(x.reverse(), y, ones)),
+    CHECK_THROWS_WITH((PressureGrid(x.reverse(), y, ones)),
                       "PressureGrid: x = 0.5 must be finite and larger than the value before");
-    CHECK_THROWS_WITH((PressureGrid<double>(x, y, -ones)),
-                      "PressureGrid: pressure = -1 must be finite and not negative");
-    CHECK_THROWS_WITH((PressureGrid<double>(x, y, 0 * ones)), "PressureGrid: load = 0 must be positive and finite");
+    CHECK_THROWS_WITH((PressureGrid(x, y, -ones)), "PressureGrid: pressure = -1 must be finite and not negative");
+    CHECK_THROWS_WITH((PressureGrid(x, y, 0 * ones)), "PressureGrid: load = 0 must be positive and finite");
     for (const Rectangle<double>& none :
          {Rectangle<double>{0, 0, 0, 1}, {1, 0, 1, 0}, {0, NAN, 0, 1}, {0, 1, 0, INFINITY}}) {
         CHECK_THROWS_AS(grid({none}), std::invalid_argument);

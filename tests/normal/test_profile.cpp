@@ -1,4 +1,4 @@
-// rollbem/normal/profile.hpp, normal/standard_profiles.hpp
+// rollbem/normal/profile.hpp, normal/profile.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

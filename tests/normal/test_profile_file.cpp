@@ -1,4 +1,4 @@
-// rollbem/normal/profile_file.hpp, normal/surface_file.hpp, normal/profile_check.hpp
+// rollbem/normal/profile_file.hpp, normal/profile_file.hpp, normal/profile_file.hpp
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,9 +12,8 @@
 
 #include <unistd.h>
 
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_file.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
-#include <rollbem/normal/surface_file.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"

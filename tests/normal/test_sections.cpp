@@ -1,11 +1,11 @@
-// rollbem/normal/sections.hpp
+// rollbem/normal/surface.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include <rollbem/normal/sections.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/surface.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <rollbem/normal/detail/contact_region.hpp>
+#include <rollbem/normal/detail/elliptic_integrals.hpp>
 #include <rollbem/normal/detail/rail_samples.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/rigid_contact.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
@@ -77,7 +77,7 @@ TEST_CASE("virtual_penetration: elliptic contacts displace their middle by the a
         const double a = std::sqrt(1.1 * along * approach), b = std::sqrt(1.1 * across * approach),
                      longer = std::max(a, b), shorter = std::min(a, b);
         // p_0 sqrt(1 - x^2/a^2 - s^2/b^2) displaces its middle by p_0 shorter K/E*
-        const double p_0 = approach / (compliance * shorter * detail::EllipticIntegrals<double>(shorter / longer).K);
+        const double p_0 = approach / (compliance * shorter * detail::EllipticIntegrals(shorter / longer).K);
         CAPTURE(across);
         CHECK(std::abs(found[0].peak_pressure / p_0 - 1) < 2e-5);
         CHECK(std::abs(found[0].load / (2 * std::numbers::pi / 3 * a * b * p_0) - 1) < 2e-5);
@@ -179,7 +179,7 @@ TEST_CASE("virtual_penetration: a cone on a crown, inclined and yawed, has the a
             REQUIRE((found.size() == 1 && found[0].status == Status::ok));
             const double R = touch.rolling_radius / slope, a = std::sqrt(1.1 * R * depth),
                          b = std::sqrt(1.1 * crown * depth),
-                         p_0 = depth / (wheel.compliance() * b * detail::EllipticIntegrals<double>(b / a).K);
+                         p_0 = depth / (wheel.compliance() * b * detail::EllipticIntegrals(b / a).K);
             CHECK(std::abs(found[0].angle - touch.angle) < 1e-3);
             CHECK(std::abs(found[0].y - touch.y) < 5e-5);
             CHECK(std::abs(found[0].z - touch.z) < 2e-5);

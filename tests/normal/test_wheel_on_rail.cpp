@@ -12,11 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/elasticity/rectangle_kernel.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
@@ -110,8 +115,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
             add("angle", patch.angle, ref_angle);
             add("height", 1e3 * contact.height, ref[5]);
             position.height = contact.height;
-            const Creepage<double> creepage =
-                creepage_of(patch, position, {.forward = 2, .pitch_rate = positions[k][3]}, 0.46);
+            const Creepage creepage = creepage_of(patch, position, {.forward = 2, .pitch_rate = positions[k][3]}, 0.46);
             add("longitudinal creepage", -creepage.longitudinal, ref[10]);
             add("lateral creepage", -side * creepage.lateral, ref[11]);
             add("spin", -side * creepage.spin * 1e-3, ref[12]);
@@ -194,13 +198,13 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
             G_prime[0][1](a, b) = G_prime[1][0](a, b) = slope.xy;
         }
     }
-    const FrictionModel model(PatchContact<double>({unit, unit, wheel.dimensions().shear_modulus, nu}),
+    const FrictionModel model(PatchContact({unit, unit, wheel.dimensions().shear_modulus, nu}),
                               ElementSystem<double, 2>({}, G_prime, elements), {0.3, pressure});
     auto friction_workspace = model.workspace();
     auto state = model.at_rest();
-    const Creepage<double> creepage{-ref[10], ref[11], 1e3 * ref[12]};
-    const auto step = model.steady(model.at_rest(), {Travel<>::at_speed(1), RigidMotion<Creepage<double>>(creepage)},
-                                   state, friction_workspace);
+    const Creepage creepage{-ref[10], ref[11], 1e3 * ref[12]};
+    const auto step = model.steady(model.at_rest(), {Travel::at_speed(1), RigidMotion<Creepage>(creepage)}, state,
+                                   friction_workspace);
     REQUIRE(step.status == Status::ok);
     CHECK(step.force.longitudinal / limit == Approx(-ref[13] / limit).margin(1.5e-3));
     CHECK(step.force.lateral / limit == Approx(ref[14] / limit).margin(1.5e-3));
@@ -229,10 +233,10 @@ WheelOnRail cylinder_on_parabola(double R) {
             rail,
             {.gauge = 10 - 2 * std::sqrt(2 * R * 0.0139), .gauge_depth = 0.0139, .flange_back = 10, .tape_offset = 0}};
 }
-HertzEllipse<double> hertz_of(double R, double load) {
+HertzEllipse hertz_of(double R, double load) {
     const double infinite = std::numeric_limits<double>::infinity();
-    const ElasticBody<double> steel{2 * 8.2e10 * 1.28, 0.28};
-    return HertzEllipse<double>(
+    const ElasticBody steel{2 * 8.2e10 * 1.28, 0.28};
+    return HertzEllipse(
         {.load = load, .radii_1 = {0.46, infinite}, .radii_2 = {infinite, R}, .body_1 = steel, .body_2 = steel});
 }
 
@@ -250,7 +254,7 @@ TEST_CASE("wheel_on_rail: Hertz's ellipses from quadratic profiles, to second or
             cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = along + 4, .cells_s = across + 4});
         REQUIRE(contact.status == Status::ok);
         const RailPatch& patch = contact.patches.at(0);
-        const HertzEllipse<double> hertz = hertz_of(R, load);
+        const HertzEllipse hertz = hertz_of(R, load);
         add("approach", patch.approach / hertz.approach() - 1);
         add("peak pressure", patch.peak_pressure / hertz.peak_pressure() - 1);
         add("half length", patch.half_length / hertz.half_length() - 1);
@@ -309,7 +313,7 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     const auto one = [&](double R, double load) {
         const auto contact =
             cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = 40, .cells_s = 40});
-        const HertzEllipse<double> hertz = hertz_of(R, load);
+        const HertzEllipse hertz = hertz_of(R, load);
         CAPTURE(R, load, hertz.half_length(), hertz.half_width());
         REQUIRE(contact.status == Status::ok);
         const RailPatch& patch = contact.patches.at(0);
@@ -369,7 +373,7 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     REQUIRE(contact.status == Status::ok);
     const RailPatch& patch = contact.patches.at(0);
     CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
-    const HertzEllipse<double> hertz = hertz_of(R, load);
+    const HertzEllipse hertz = hertz_of(R, load);
     CHECK(patch.half_length == Approx(hertz.half_length()).epsilon(3e-3));
     CHECK(patch.half_width == Approx(hertz.half_width()).epsilon(3e-3));
     CHECK(patch.approach == Approx(hertz.approach()).epsilon(1e-3));
@@ -475,7 +479,7 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
     rolling.speeds.pitch_rate = free.pitch_rate / 2;  // slides everywhere
     const auto locked = rolling_forces(wheelset, rolling, friction, workspace);
     for (std::size_t k = 0; k < 2; ++k) {
-        const TangentialForce<double>& slides = locked.patches[k][0].force;
+        const TangentialForce& slides = locked.patches[k][0].force;
         CHECK(std::hypot(slides.longitudinal, slides.lateral) ==
               Approx(0.3 * locked.contacts.wheels[k].patches[0].load).epsilon(1e-5));
     }
@@ -586,7 +590,7 @@ TEST_CASE(
     "[profiles]") {
     WheelOnRail::Workspace wheel;
     const auto contact = standard().solve_for_load({.lateral = 2e-3, .yaw = 2e-3}, 1e4, wheel);
-    const Creepage<double> back =
+    const Creepage back =
         creepage_of(contact.patches.at(0), {2e-3, contact.height, 0, 2e-3}, {.forward = -2, .pitch_rate = 4.345}, 0.46);
     CHECK(back.longitudinal == Approx(6.55e-4).margin(5e-7));
     CHECK(back.lateral == Approx(2.007e-3).margin(5e-7));

@@ -1,7 +1,7 @@
 // What both units of a mixed pair, one with and one without ROLLBEM_COMPILED, make and use.
 #pragma once
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 
 struct Made {
     rollbem::Profile (*function)();

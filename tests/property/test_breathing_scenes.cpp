@@ -10,7 +10,13 @@
 #include <optional>
 #include <utility>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
@@ -41,7 +47,7 @@ struct Surface {
         return U;
     }
     // p at the end of a stage of `part` of a step dq, da: slip = xi part dq - part (dq + da zeta) G' p + M p - U
-    std::optional<Vectors> stage(double part, double dq, double da, double a, const Creepage<double>& creepage,
+    std::optional<Vectors> stage(double part, double dq, double da, double a, const Creepage& creepage,
                                  const Vectors& U, const ArrayX<double>& bound) const {
         Matrices slip;
         const ArrayX<double> way = part * (dq + da * points);
@@ -51,9 +57,8 @@ struct Surface {
         constant.col(1).array() += part * dq * creepage.lateral;
         return drawn_scenes::projected_fixed_point(slip, constant, bound);
     }
-    std::optional<Vectors> step(Integrator integrator, double dq, double a, double a_end,
-                                const Creepage<double>& creepage, const Vectors& p, const ArrayX<double>& bound,
-                                const ArrayX<double>& bound_end) const {
+    std::optional<Vectors> step(Integrator integrator, double dq, double a, double a_end, const Creepage& creepage,
+                                const Vectors& p, const ArrayX<double>& bound, const ArrayX<double>& bound_end) const {
         const Vectors U = displacement(p, a);
         const double da = a_end - a;
         if (integrator == Integrator::implicit_euler) return stage(1, dq, da, a_end, creepage, U, bound_end);
@@ -69,7 +74,7 @@ struct Surface {
 void ride(Draw& draw, Tally& tally) {
     const double nu = draw.integer(4) == 0 ? 0 : draw.uniform(0, 0.5);
     const double a_0 = draw.decades(-4, 1), modulus = draw.decades(0, 11), mu = draw.uniform(0.01, 1);
-    const Contact<double> contact(
+    const Contact contact(
         {.half_length = a_0, .half_width = a_0 * draw.decades(2, 4), .shear_modulus = modulus, .poisson_ratio = nu});
     const Eigen::Index n = 1 + draw.integer(12);
     const Mesh<double> mesh = draw.integer(2) == 0 ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
@@ -98,14 +103,14 @@ void ride(Draw& draw, Tally& tally) {
     FrictionState two_now = two.at_rest(), two_next = two_now;
     FrictionWorkspace one_workspace = one.workspace();
     FrictionWorkspace two_workspace = two.workspace();
-    NormalLoad<double> load{law.normal_pressure, a_0, {}};
+    NormalLoad load{law.normal_pressure, a_0, {}};
     Vectors p = Vectors::Zero(n, 2);
     double a = 1;
     ArrayX<double> bound = mu / modulus * law.normal_pressure;
     for (int k = 0; k < 8; ++k) {
         const double dq = draw.decades(-1.5, 0.7), size = mu * peak * draw.decades(-1.5, 1);
         const double angle = draw.uniform(-3.2, 3.2);
-        const Creepage<double> creepage{size * std::cos(angle), both ? size * std::sin(angle) : 0};
+        const Creepage creepage{size * std::cos(angle), both ? size * std::sin(angle) : 0};
         const double a_end = std::clamp(a + draw.uniform(-0.95, 0.95) * dq, 0.5, 2.0);
         const ArrayX<double> pressure = pressures(), bound_end = mu * pressure;
         load = {modulus * pressure, a_0 * a_end, {}};
@@ -122,8 +127,7 @@ void ride(Draw& draw, Tally& tally) {
             take(two.advance(two_now, {dq * a_0, creepage, load}, two_next, two_workspace));
             found = two_next.traction / modulus;
         } else {
-            take(one.advance(one_now, {dq * a_0, Creepage<double>{creepage.longitudinal}, load}, one_next,
-                             one_workspace));
+            take(one.advance(one_now, {dq * a_0, Creepage{creepage.longitudinal}, load}, one_next, one_workspace));
             found.col(0) = one_next.traction.col(0) / modulus;
         }
         CAPTURE(k, both, name(integrator), n, nu, dq, a, a_end, size, angle);

@@ -148,10 +148,10 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
     setup.scheme.alpha_L = n == 1 || draw.one_in(2) ? 0.5 : draw.uniform(0.2, 0.5);
     setup.strip = aspect < 100 || draw.one_in(2);
     setup.constant = mu_0;
-    setup.own_contact = Contact<double>({.half_length = a,
-                                         .half_width = a * aspect,
-                                         .shear_modulus = G,
-                                         .poisson_ratio = draw.one_in(4) ? 0 : draw.uniform(0, 0.5)});
+    setup.own_contact = Contact({.half_length = a,
+                                 .half_width = a * aspect,
+                                 .shear_modulus = G,
+                                 .poisson_ratio = draw.one_in(4) ? 0 : draw.uniform(0, 0.5)});
     AnyLaw law = [mu_0](double) { return mu_0; };
     if (kind != Kind::constant) {
         law = drawn_law(draw.integer(3), mu_0, mu_0 * draw.uniform(0, 1.2), V * full * draw.decades(-1, 2));
@@ -176,17 +176,17 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
     for (int k = 0; k < 10; ++k) {
         const double size = full * draw.decades(-1.5, 1), angle = draw.uniform(-3.2, 3.2);
         const bool along = directions == 1 || draw.one_in(6);
-        const Creepage<double> creepage{along ? (draw.one_in(3) ? -size : size) : size * std::cos(angle),
-                                        along ? 0 : size * std::sin(angle)};
+        const Creepage creepage{along ? (draw.one_in(3) ? -size : size) : size * std::cos(angle),
+                                along ? 0 : size * std::sin(angle)};
         if (draw.one_in(4)) load.normal_pressure = pressures(true);
         const bool steady = k == 0 || draw.one_in(4), shifts = !steady && draw.one_in(5);
         const double dq = shifts || steady ? 0 : draw.decades(-2, 0), duration = draw.decades(-2, 0) * a / V;
         const double time = steady ? a / V : shifts ? duration : dq * a / V, way = steady || shifts ? 1 : dq;
         const Motion motion =
             shifts ? Motion::shift({a * creepage.longitudinal, a * creepage.lateral}) : Motion(creepage);
-        const Step step =
-            steady ? ride.model.steady(ride.now, {Travel<>::at_speed(V), creepage, load}, ride.next, ride.own)
-                   : ride.model.advance(ride.now, {{dq * a, time}, motion, load}, ride.next, ride.own);
+        const Step step = steady
+                              ? ride.model.steady(ride.now, {Travel::at_speed(V), creepage, load}, ride.next, ride.own)
+                              : ride.model.advance(ride.now, {{dq * a, time}, motion, load}, ride.next, ride.own);
         ++tally.solutions;
         const Violation<double> found = violation<double>(law, memory, system, a, G, steady ? 1 : dq,
                                                           {way * creepage.longitudinal, way * creepage.lateral}, time,

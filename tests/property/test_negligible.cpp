@@ -6,14 +6,25 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
-#include <rollbem/vehicle/reduced_friction.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -32,7 +43,7 @@ struct Input {
     double a = 6e-3, b = 5e-3, G = 8e10, xi = 1e-3, eta = 5e-4, phi = 0.2, dq = 1e-3, mu = 0.3, N = 8e4, V = 20,
            fall = 0.2;
 
-    Creepage<double> creepage() const { return {xi, eta, phi}; }
+    Creepage creepage() const { return {xi, eta, phi}; }
 };
 struct Name {
     const char* name;
@@ -47,10 +58,10 @@ struct Outcome {
     std::vector<double> numbers;
 
     void add(double number) { numbers.push_back(number); }
-    void add(const TangentialForce<double>& of) {
+    void add(const TangentialForce& of) {
         for (const double number : {of.longitudinal, of.lateral, of.moment}) add(number);
     }
-    void add(const CreepageTangent<double>& of) {
+    void add(const CreepageTangent& of) {
         for (const auto& by : {of.by_longitudinal, of.by_lateral, of.by_spin}) add(by);
     }
 };
@@ -67,8 +78,8 @@ Outcome along(Outcome both) { return {both.status, {both.numbers[0], both.number
 const Mesh<double> mesh = cosine_mesh(6);
 const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
 
-Contact<double> line(const Input& in) { return Contact<double>({in.a, in.b, in.G, 0.28}); }
-PatchContact<double> patch(const Input& in) { return PatchContact<double>({in.a, in.b, in.G, 0.28}); }
+Contact line(const Input& in) { return Contact({in.a, in.b, in.G, 0.28}); }
+PatchContact patch(const Input& in) { return PatchContact({in.a, in.b, in.G, 0.28}); }
 ElementSystem<double> line_system(const Input& in) {
     return rolling_system(mesh, scheme, StripKernel<double>::longitudinal(line(in)));
 }
@@ -79,7 +90,7 @@ FrictionModel friction(const Input& in) {
 }
 using PatchModel = FrictionModel;
 PatchModel patch_friction(const Input& in) {
-    const PatchContact<double> contact = patch(in);
+    const PatchContact contact = patch(in);
     const PatchMesh<double> strips = patch_mesh(contact, 3, 3);
     return {contact,
             rolling_system(strips, scheme, HalfSpace<double>(0.28)),
@@ -116,9 +127,8 @@ struct Entry {
 const std::vector<Entry> entries{
     {"steps in adhesion", [](const Input& in) { return two_steps(adhesion(in), in.dq, in.xi); }},
     {"steady adhesion", [](const Input& in) { return settled(adhesion(in), in.xi); }},
-    {"steps with friction",
-     [](const Input& in) { return along(two_steps(friction(in), in.dq, Creepage<double>{in.xi})); }},
-    {"steady friction", [](const Input& in) { return along(settled(friction(in), Creepage<double>{in.xi})); }},
+    {"steps with friction", [](const Input& in) { return along(two_steps(friction(in), in.dq, Creepage{in.xi})); }},
+    {"steady friction", [](const Input& in) { return along(settled(friction(in), Creepage{in.xi})); }},
     {"steps of a patch", [](const Input& in) { return two_steps(patch_friction(in), in.dq, in.creepage()); }},
     {"a patch", [](const Input& in) { return settled(patch_friction(in), in.creepage()); }},
     {"a table", [](const Input& in) { return outcome(steel().look_up(patch(in), in.mu, in.N, in.creepage())); }},
@@ -198,7 +208,7 @@ TEST_CASE("A distance next to nothing is no step", "[negligible]") {
         }
         // a rigid shift is that without rolling
         const PatchModel model = patch_friction({});
-        const Creepage<double> moved{1e-6, 5e-7, 1e-4};
+        const Creepage moved{1e-6, 5e-7, 1e-4};
         Run rolling(model), resting(model);
         const FrictionStep step = rolling.advance({dq, PatchModel::Motion::shift(moved)});
         CHECK(step.status == Status::ok);
@@ -213,7 +223,7 @@ TEST_CASE("A patch rolls on without creepage until nothing is left", "[negligibl
     REQUIRE(run.advance({1e-3, Input{}.creepage()}).status == Status::ok);
     int steps = 0;
     while (steps < 5000 && !run.now().traction.isZero(0)) {
-        const FrictionStep step = run.advance({6e-3, Creepage<double>{}});
+        const FrictionStep step = run.advance({6e-3, Creepage{}});
         ++steps;
         REQUIRE(step.status == Status::ok);
         REQUIRE(std::isfinite(step.tangent.by_longitudinal.longitudinal));
@@ -225,7 +235,7 @@ TEST_CASE("A patch rolls on without creepage until nothing is left", "[negligibl
 TEST_CASE("Friction next to nothing is none", "[negligible]") {
     for (const double mu : {1e-320, 1e-305, 1e-200, 1e-160}) {
         for (const double creepage : {1e-3, 3e-3 * mu}) {
-            const Outcome found = settled(patch_friction({.mu = mu}), Creepage<double>{creepage, creepage / 2, 0});
+            const Outcome found = settled(patch_friction({.mu = mu}), Creepage{creepage, creepage / 2, 0});
             INFO(mu << ", " << creepage);
             CHECK(found.status == "ok");
             CHECK(found.numbers == std::vector<double>(12, 0.0));
@@ -270,13 +280,13 @@ TEST_CASE("Sizes next to nothing or beyond all are refused", "[negligible]") {
     for (const double tiny : {least, 1e-310, 1e-293}) {
         CHECK_THAT(refusal([&] { patch({.b = tiny}); }), ContainsSubstring("must be positive and finite, and not"));
         CHECK_THAT(refusal([&] { line({.G = tiny}); }), ContainsSubstring("must be positive and finite, and not"));
-        const ElasticBody<double> steel{2e11, 0.28};
+        const ElasticBody steel{2e11, 0.28};
         CHECK_THAT(refusal([&] {
-                       HertzEllipse<double>({.load = tiny,
-                                             .radii_1 = {0.46, infinite},
-                                             .radii_2 = {infinite, 0.3},
-                                             .body_1 = steel,
-                                             .body_2 = steel});
+                       HertzEllipse({.load = tiny,
+                                     .radii_1 = {0.46, infinite},
+                                     .radii_2 = {infinite, 0.3},
+                                     .body_1 = steel,
+                                     .body_2 = steel});
                    }),
                    ContainsSubstring("HertzEllipse: load = "));
     }

@@ -10,11 +10,14 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
@@ -256,7 +259,7 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         ++drawn;
         const auto system = system_of<RollingSystem<double>>(scene);
-        const FrequencySweep<double> sweep(system);
+        const FrequencySweep sweep(system);
         const double z = scenes.logarithmic(1e-12, 1e6);
         const Response<std::complex<double>> up = sweep(z), down = sweep(-z);
         if (up.status != down.status) CHECK(up.status == down.status);
@@ -286,7 +289,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         ++drawn;
         using Model = AdhesionModel<>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
-        const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
+        const Contact contact = Contact::dimensionless(scene.aspect, scene.poisson_ratio);
         const auto system = system_of<ElementSystem<double>>(scene);
         const Response<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const Matrix lengths = dense::solve(system.G_prime(), system.G());

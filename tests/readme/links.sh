@@ -58,12 +58,16 @@ unknown=$({
 } | grep -oE '\b[a-z]{3,}(_[a-z]{2,})+\b' | sort -u | comm -23 - "$names")
 [ -z "$unknown" ] || { echo "names that no code has: $unknown"; exit 1; }
 
+# The README is no longer than a newcomer reads, and the glossary has words that the literature has not alone.
+[ "$(wc -l <README.md)" -le 110 ] || { echo "README.md has more than 110 lines" && exit 1; }
+[ "$(grep -c '^| ' docs/glossary.md)" -le 26 ] || { echo "docs/glossary.md has more than 25 words" && exit 1; }
+
 # Paths of code, from the root or from where includes and pages begin; `name` stands for any.
 missing=$({
     grep -hoE '`[^`]*`' README.md CONTRIBUTING.md docs/*.md
     find include apps tests cmake -type f -not -path '*/corpus/*' -exec grep -ahoE '(//|#|\*) .*' {} +
-} | grep -aoE '(^|[ `("])([a-z_]+/)+[a-z_0-9]+\.([chit]pp|h|c|f90|py|sh|md|txt|cmake)\b' |
-    sed 's/^[^a-z_]//' | grep -v 'name\.' | sort -u |
+} | grep -aoE '(^|[ `("])([a-z_]+/)+[A-Za-z_0-9]+\.([chit]pp|h|c|f90|py|sh|md|txt|cmake)\b' |
+    sed 's/^[^a-z_]//' | grep -vE 'name\.|NAME' | sort -u |
     while read -r path; do
         for folder in . include include/rollbem apps tests include/rollbem/detail; do
             [ ! -e "$folder/$path" ] || continue 2

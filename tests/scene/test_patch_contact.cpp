@@ -1,4 +1,4 @@
-// rollbem/scene/patch_contact.hpp, scene/outline.hpp, discretisation/patch_mesh.hpp: what is checked, and the strips.
+// rollbem/scene/patch_contact.hpp, scene/patch_contact.hpp, discretisation/patch_mesh.hpp: what is checked, and the strips.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,9 +23,7 @@ using Values = std::initializer_list<double>;
 
 Array array(Values values) { return Eigen::Map<const Array>(values.begin(), static_cast<Eigen::Index>(values.size())); }
 
-Outline<double> outline(Values y, Values trailing, Values leading) {
-    return {array(y), array(trailing), array(leading)};
-}
+Outline outline(Values y, Values trailing, Values leading) { return {array(y), array(trailing), array(leading)}; }
 
 std::string refused(Values y, Values trailing, Values leading) {
     return refusal([&] { outline(y, trailing, leading); });
@@ -36,7 +34,7 @@ std::string refused(Values y, Values trailing, Values leading) {
 TEST_CASE("patch_contact: parameters are checked, and named") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const auto refused = [](double a, double b, double G, double nu) {
-        return refusal([&] { PatchContact<double>({a, b, G, nu}); });
+        return refusal([&] { PatchContact({a, b, G, nu}); });
     };
     CHECK(refused(5e-3, 5e-3, 8e10, 0.5).empty());
     CHECK(refused(5e-3, 5e-3, 8e10, 0).empty());
@@ -47,7 +45,7 @@ TEST_CASE("patch_contact: parameters are checked, and named") {
     CHECK_THAT(refused(1, 1, 1, 0.51), ContainsSubstring("poisson_ratio = 0.51 must lie in [0, 0.5]"));
     CHECK_THAT(refused(1e60, 1e-250, 1, 0), ContainsSubstring("half_length / half_width = inf"));
     CHECK_THAT(refused(1e-60, 1e250, 1, 0), ContainsSubstring("half_length / half_width = "));
-    CHECK_THAT(refusal([] { PatchContact<double>::dimensionless(-1, 0); }), ContainsSubstring("a_over_b = -1"));
+    CHECK_THAT(refusal([] { PatchContact::dimensionless(-1, 0); }), ContainsSubstring("a_over_b = -1"));
 }
 
 TEST_CASE("outline: bad ones are refused with the line and its value") {
@@ -66,13 +64,13 @@ TEST_CASE("outline: bad ones are refused with the line and its value") {
 }
 
 TEST_CASE("outline: edges are straight between lines; c is the radius of the circle of equal area") {
-    const Outline<double> kite = outline({-1, 0, 3}, {0, -2, 0}, {0, 1, 0});
+    const Outline kite = outline({-1, 0, 3}, {0, -2, 0}, {0, 1, 0});
     CHECK(kite.leading(-0.5) == 0.5);
     CHECK(kite.trailing(1.5) == -1);
     CHECK(kite.leading(-1) == 0);
     CHECK(kite.trailing(3) == 0);
     CHECK(kite.area() == 6);
-    const PatchContact<double> contact(kite, 1, 0.3);
+    const PatchContact contact(kite, 1, 0.3);
     CHECK_THAT(contact.half_length(), WithinRel(std::sqrt(6 / std::numbers::pi), 1e-15));
     CHECK(contact.a_over_b() == 1);
 }
@@ -101,7 +99,7 @@ TEST_CASE("patch_mesh: the strips of an ellipse end on it at the middle of their
 }
 
 TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored only if it is") {
-    const Outline<double> trapezium = outline({1, 3}, {-1, -2}, {1, 2});
+    const Outline trapezium = outline({1, 3}, {-1, -2}, {1, 2});
     const Array edges = array({-1, 0.5, 1});
     const PatchMesh<double> mesh = outline_mesh<double>(trapezium, 2, uniform_mesh(3), mesh_from_edges(edges));
     CHECK(mesh.upper().isApprox(array({1.25, 1.5})));

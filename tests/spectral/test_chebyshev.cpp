@@ -7,13 +7,18 @@
 #include <tuple>
 #include <vector>
 
-#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/response.hpp>
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/state_space.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -45,7 +50,7 @@ auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
 
 // largest relative error of c11(z), 0 <= z <= z_max, plane kernel
 double plane_error(Eigen::Index m, double z_max) {
-    const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
+    const FrequencySweep sweep(rolling_system(Chebyshev{m}, plane));
     double largest = 0;
     for (int k = 0; k <= 100; ++k) {
         const double z = z_max * k / 100;
@@ -93,8 +98,8 @@ TEST_CASE("The frequency response of the plane has the known errors", "[chebyshe
     CHECK(relative_error(solve_response(rolling_system(Chebyshev{400}, plane), {0, 5}).c11(),
                          reference::plane_c11({0, 5}, 0.25, 100)) < 1e-14);
     // 1/rcond of G' grows with the square of half the number of states
-    CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
-    CHECK_FALSE(FrequencySweep<double>(rolling_system(Chebyshev{200}, plane)).reduced());
+    CHECK(FrequencySweep(rolling_system(Chebyshev{96}, plane)).reduced());
+    CHECK_FALSE(FrequencySweep(rolling_system(Chebyshev{200}, plane)).reduced());
 }
 
 double nearest(const VectorX<Complex>& values, Complex exact) { return (values.array() - exact).abs().minCoeff(); }
@@ -265,7 +270,7 @@ TEST_CASE("States under spin have the closed form of steady rolling", "[chebyshe
             const double traction = system.traction(VectorX<double>(steady.unknowns.col(1)))(x);
             CHECK(std::abs(traction + std::sqrt(1 - x * x) / 2) < 1e-13);
         }
-        const StateSpace<double> states = state_space(system.with_spin());
+        const StateSpace states = state_space(system.with_spin());
         CHECK((states.B.col(0) + VectorX<double>::Unit(m, 0)).cwiseAbs().maxCoeff() < 1e-14);
         CHECK((states.B.col(1) + VectorX<double>::Unit(m, 1)).cwiseAbs().maxCoeff() < 1e-14);
     }
@@ -326,7 +331,7 @@ TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "
     CHECK_THROWS_WITH(traction({1, 1.5}), ContainsSubstring("must be 2"));
     CHECK(system.aspect() == 100);
     CHECK_FALSE(system.unknowns_are_tractions());
-    CHECK_THROWS_WITH(AdhesionModel<>(Contact<double>::dimensionless(50, 0.25), system, unchecked),
+    CHECK_THROWS_WITH(AdhesionModel<>(Contact::dimensionless(50, 0.25), system, unchecked),
                       ContainsSubstring("b/a of the kernel"));
 }
 

@@ -9,9 +9,10 @@
 
 #include <gsl/gsl_errno.h>
 
-#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 
 namespace polynomial_tests {

@@ -12,7 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 
 namespace brute_force {
 

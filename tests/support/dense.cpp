@@ -2,7 +2,11 @@
 
 #include <cmath>
 
-#include <rollbem/compiled/stability.hpp>
+#include <Eigen/Eigenvalues>
+
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 namespace dense {
 

@@ -9,15 +9,13 @@
 #else
 #define SCALARS float, double, long double
 
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/steady/steady.hpp>
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
     keyword template decltype(detail::factorise<Scalar, Scalar>) detail::factorise<Scalar, Scalar>; \
-    keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;         \
-    keyword template class AdhesionModel<1, Scalar>;
+    keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;
 
 namespace rollbem {
 

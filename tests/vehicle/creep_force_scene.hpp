@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/full_sliding.hpp>
+#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace creep_forces {
@@ -20,7 +20,7 @@ inline CreepCoefficients<double> coefficients(double a_over_b) {
 }
 
 /// At creepages times G a b/(mu N) and spin times G a b c/(mu N).
-inline Eigen::Array3d forces(double a_over_b, const Creepage<double>& v) {
+inline Eigen::Array3d forces(double a_over_b, const Creepage& v) {
     const CreepCoefficients<double> c = coefficients(a_over_b);
     const double x = c.c11 * v.longitudinal, y = c.c22 * v.lateral, spin = (c.c23 + c.c33) * v.spin;
     const double size = std::sqrt(x * x + y * y + spin * spin), rest = 1 / ((1 + size) * (1 + size));
@@ -48,15 +48,13 @@ inline CreepForceTable table(int levels, int shapes) {
     return {nodes, values};
 }
 
-inline Eigen::Array3d array(const TangentialForce<double>& force) {
-    return {force.longitudinal, force.lateral, force.moment};
-}
+inline Eigen::Array3d array(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
 /// By how much a tangent differs at most from the difference of `force(step)` over steps of 1e-5 times `size`, over mu
 /// N and mu N c.
 template <class Force>
-double tangent_error(const Force& force, double size, const TangentialForce<double>& tangent,
-                     const PatchContact<double>& patch, double mu_N) {
+double tangent_error(const Force& force, double size, const TangentialForce& tangent, const PatchContact& patch,
+                     double mu_N) {
     constexpr double step = 1e-5;
     const Eigen::Array3d difference = (array(force(step * size)) - array(force(-step * size))) / (2 * step);
     return ((difference - size * array(tangent)) / (Eigen::Array3d(1, 1, patch.c()) * mu_N)).abs().maxCoeff();
@@ -65,27 +63,26 @@ double tangent_error(const Force& force, double size, const TangentialForce<doub
 /// The largest of these errors of the tangents `at` a contact, of `force(contact, mu, N, creepage)`, `unit` being the
 /// size of creepages.
 template <class Force, class Tangents>
-double tangent_error(const Force& force, const Tangents& at, const PatchContact<double>& patch, double mu, double N,
-                     const Creepage<double>& v, const Creepage<double>& unit) {
+double tangent_error(const Force& force, const Tangents& at, const PatchContact& patch, double mu, double N,
+                     const Creepage& v, const Creepage& unit) {
     const double a = patch.half_length(), b = patch.half_width();
     const auto sized = [&](double x, double y) {
-        return PatchContact<double>({x, y, patch.shear_modulus(), patch.poisson_ratio()});
+        return PatchContact({x, y, patch.shear_modulus(), patch.poisson_ratio()});
     };
-    const auto error = [&](const auto& of, double size, const TangentialForce<double>& tangent) {
+    const auto error = [&](const auto& of, double size, const TangentialForce& tangent) {
         return tangent_error(of, size, tangent, patch, mu * N);
     };
-    const auto by_creepage = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
+    const auto by_creepage = [&](double Creepage::*which, const TangentialForce& tangent) {
         const auto of = [&](double step) {
-            Creepage<double> changed = v;
+            Creepage changed = v;
             changed.*which += step;
             return force(patch, mu, N, changed);
         };
         return error(of, unit.*which, tangent);
     };
     return std::max(
-        {by_creepage(&Creepage<double>::longitudinal, at.tangent.by_longitudinal),
-         by_creepage(&Creepage<double>::lateral, at.tangent.by_lateral),
-         by_creepage(&Creepage<double>::spin, at.tangent.by_spin),
+        {by_creepage(&Creepage::longitudinal, at.tangent.by_longitudinal),
+         by_creepage(&Creepage::lateral, at.tangent.by_lateral), by_creepage(&Creepage::spin, at.tangent.by_spin),
          error([&](double step) { return force(patch, mu, N + step, v); }, N, at.tangent_by_load),
          error([&](double step) { return force(patch, mu + step, N, v); }, mu, at.tangent_by_friction_coefficient),
          error([&](double step) { return force(sized(a + step, b), mu, N, v); }, a, at.tangent_by_half_length),

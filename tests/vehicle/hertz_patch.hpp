@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/normal/rail_patch.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 
 namespace rollbem::testing {
 

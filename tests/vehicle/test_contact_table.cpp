@@ -11,11 +11,11 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
-#include <rollbem/vehicle/creep_ellipse.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
@@ -345,7 +345,7 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
             const WheelsetPosition seen = contacts.seen(side);
             const TrackDimensions& dimensions = track.wheel(side).dimensions();
             const PatchEllipse ellipse = creep_ellipse(patches[0], dimensions, creep());
-            const Creepage<double> own =
+            const Creepage own =
                 creepage_of(patches[0], seen, WheelsetOnTrack::seen_from(side, speeds), dimensions.radius);
             CAPTURE(both, yaw, int(side));
             CHECK_THAT(point.normal_load, WithinRel(patches[0].load, 1e-4));
@@ -369,14 +369,14 @@ TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[conta
     const PatchEllipse ellipse = creep_ellipse(patch, dimensions, creep());
     const double c = contact_of(patch, dimensions).c(), bound = mu * patch.load,
                  unit = bound / (dimensions.shear_modulus * c * c);
-    for (const Creepage<double> v : {Creepage<double>{0.02 * unit, 0, 0},
-                                     {0, 0.02 * unit, 0},
-                                     {0, 0, 0.1},
-                                     {0.1 * unit, 0.1 * unit, 0.1},
-                                     {unit, -unit, -0.1}}) {
+    for (const Creepage v : {Creepage{0.02 * unit, 0, 0},
+                             {0, 0.02 * unit, 0},
+                             {0, 0, 0.1},
+                             {0.1 * unit, 0.1 * unit, 0.1},
+                             {unit, -unit, -0.1}}) {
         // a wheel that has just these creepages: by its speeds at the reference point
         const WheelsetPosition at = contacts.position;
-        const Creepage<double> zero = creepage_of(patch, at, {.forward = 1, .pitch_rate = -1 / radius}, radius);
+        const Creepage zero = creepage_of(patch, at, {.forward = 1, .pitch_rate = -1 / radius}, radius);
         const auto speeds = [&](const std::array<double, 3>& w) {
             return WheelsetSpeeds{.forward = 1, .pitch_rate = -1 / radius + w[0], .lateral = w[1], .yaw_rate = w[2]};
         };
@@ -384,7 +384,7 @@ TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[conta
         for (std::size_t k = 0; k < 3; ++k) {
             std::array<double, 3> w{};
             w[k] = 1e-6;
-            const Creepage<double> moved = creepage_of(patch, at, speeds(w), radius);
+            const Creepage moved = creepage_of(patch, at, speeds(w), radius);
             by.col(Eigen::Index(k)) = Eigen::Vector3d(moved.longitudinal - zero.longitudinal,
                                                       moved.lateral - zero.lateral, moved.spin - zero.spin) /
                                       1e-6;

@@ -1,4 +1,4 @@
-// rollbem/vehicle/creep_force_table.hpp, creep_force_grid.hpp, closed_form/full_sliding.hpp: symmetries, limits, the
+// rollbem/vehicle/creep_force_table.hpp, creep_force_grid.hpp, closed_form/carter.hpp: symmetries, limits, the
 // order of interpolation, tangents, and what a file must hold.
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/full_sliding.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"
@@ -33,18 +40,18 @@ namespace {
 
 constexpr double mu = 0.3, load = 8e4, modulus = 8e10;
 
-PatchContact<double> contact(double a_over_b, double nu = 0.28) {
-    return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
+PatchContact contact(double a_over_b, double nu = 0.28) {
+    return PatchContact({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
 }
 
 /// Creepages of a level near saturation: in units of mu N/(G a b), the spin over c besides.
-Creepage<double> creepage(const PatchContact<double>& patch, double x, double y, double spin) {
+Creepage creepage(const PatchContact& patch, double x, double y, double spin) {
     const double unit = mu * load / (modulus * patch.c() * patch.c());
     return {unit * x, unit * y, unit * spin / patch.c()};
 }
 
 /// -F_x, -F_y over mu N, -M_z over mu N c.
-Eigen::Array3d ratios(const PatchContact<double>& patch, const TabulatedForce& at) {
+Eigen::Array3d ratios(const PatchContact& patch, const TabulatedForce& at) {
     return -array(at.force) / (mu * load) / Eigen::Array3d(1, 1, patch.c());
 }
 
@@ -108,7 +115,7 @@ TEST_CASE("full_sliding: extreme ellipses and creepages have numbers") {
         const double longer = std::max(1 / std::sqrt(a_over_b), std::sqrt(a_over_b));
         CAPTURE(a_over_b);
         CHECK_THAT(full_sliding(a_over_b, 0.0, 0.0, 1.0).moment / longer, WithinRel(0.375, 1e-4));
-        const auto exact = full_sliding<long double>(a_over_b, 1, 1, 1);
+        const auto exact = full_sliding(a_over_b, 1, 1, 1);
         for (const double size : {1e-300, 1.0, 1e300}) {
             const auto full = full_sliding(a_over_b, size, size, size);
             CHECK_THAT(full.longitudinal, WithinAbs(double(exact.longitudinal), 1e-15));
@@ -121,7 +128,7 @@ TEST_CASE("full_sliding: extreme ellipses and creepages have numbers") {
 TEST_CASE("creep_force_table: no creepage, no force; small creepages by the linear law") {
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table
-        const PatchContact<double> patch = contact(a_over_b);
+        const PatchContact patch = contact(a_over_b);
         const TabulatedForce rest = table.look_up(patch, mu, load, {});
         REQUIRE(rest.status == Status::ok);
         CHECK((array(rest.force) == 0).all());
@@ -143,7 +150,7 @@ TEST_CASE("creep_force_table: no creepage, no force; small creepages by the line
 
 TEST_CASE("creep_force_table: symmetric to the last bit") {
     const CreepForceTable& table = small_table();
-    const PatchContact<double> patch = contact(1.3);
+    const PatchContact patch = contact(1.3);
     for (const auto& v : {creepage(patch, 0.3, -0.2, 0.4), creepage(patch, 2, 1, -3), creepage(patch, 0, 0.2, 0.1),
                           creepage(patch, 0.2, 0.3, 0), creepage(patch, 0.1, 0, 0), creepage(patch, 1e3, -1e2, 5e2)}) {
         const TabulatedForce one = table.look_up(patch, mu, load, v);
@@ -163,9 +170,9 @@ TEST_CASE("creep_force_table: symmetric to the last bit") {
 TEST_CASE("creep_force_table: forces alone are those with tangents, in single precision to its digits") {
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.7, 1.3, 30.0}) {
-        const PatchContact<double> patch = contact(a_over_b);
-        const PatchContact<double>::Parameters axes{patch.half_length(), patch.half_width(), patch.shear_modulus(),
-                                                    patch.poisson_ratio()};
+        const PatchContact patch = contact(a_over_b);
+        const PatchContact::Parameters axes{patch.half_length(), patch.half_width(), patch.shear_modulus(),
+                                            patch.poisson_ratio()};
         for (const auto& v :
              {creepage(patch, 0, 0, 0), creepage(patch, 1e-3, 2e-3, -1e-3), creepage(patch, -0.02, 0.01, 0),
               creepage(patch, -0.3, -0.2, 0.4), creepage(patch, 2, 1, -3), creepage(patch, 1e3, -1e2, 5e2)}) {
@@ -190,16 +197,16 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
         double sum = 0, beyond = 0;
         const int count = 300;
         for (int i = 0; i < count; ++i) {
-            const PatchContact<double> patch = contact(0.5 * std::pow(4.0, draw.uniform(0, 1)));
+            const PatchContact patch = contact(0.5 * std::pow(4.0, draw.uniform(0, 1)));
             const Eigen::Array3d d = Eigen::Array3d(draw.normal(), draw.normal(), draw.normal());
             const double level = std::pow(10.0, 1.5 * draw.uniform(0, 1) - 0.5) / d.matrix().norm();
-            const Creepage<double> v{level * d[0], level * d[1], level * d[2]};
-            const Creepage<double> given = creepage(patch, v.longitudinal, v.lateral, v.spin);
+            const Creepage v{level * d[0], level * d[1], level * d[2]};
+            const Creepage given = creepage(patch, v.longitudinal, v.lateral, v.spin);
             const Eigen::Array3d error =
                 ratios(patch, table.look_up(patch, mu, load, given)) - creep_forces::forces(patch.a_over_b(), v);
             sum += error.square().sum();
             const auto full = full_sliding(patch.a_over_b(), d[0], d[1], d[2]);
-            const Creepage<double> large = creepage(patch, 1e9 * d[0], 1e9 * d[1], 1e9 * d[2]);
+            const Creepage large = creepage(patch, 1e9 * d[0], 1e9 * d[1], 1e9 * d[2]);
             const Eigen::Array3d difference = ratios(patch, table.look_up(patch, mu, load, large)) -
                                               Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
             beyond += difference.square().sum();
@@ -222,19 +229,20 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     const CreepForceTable& table = small_table();
     drawn::Draw draw(5);
     for (int i = 0; i < 200; ++i) {
-        const PatchContact<double> patch = contact(std::exp(0.3 * draw.normal()));
+        const PatchContact patch = contact(std::exp(0.3 * draw.normal()));
         const double level = std::exp(1.5 * draw.normal());
-        const Creepage<double> v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
+        const Creepage v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
         const TabulatedForce at = table.look_up(patch, mu, load, v);
-        const auto force = [&](const PatchContact<double>& where, double friction, double N,
-                               const Creepage<double>& by) { return table.look_up(where, friction, N, by).force; };
+        const auto force = [&](const PatchContact& where, double friction, double N, const Creepage& by) {
+            return table.look_up(where, friction, N, by).force;
+        };
         CHECK(creep_forces::tangent_error(force, at, patch, mu, load, v, creepage(patch, level, level, level)) <
               1e-6 * std::max(1.0, level));
     }
     // from no friction on, by the force in full sliding
     {
-        const PatchContact<double> patch = contact(1.2);
-        const Creepage<double> v = creepage(patch, 0.4, 0.2, 0.3);
+        const PatchContact patch = contact(1.2);
+        const Creepage v = creepage(patch, 0.4, 0.2, 0.3);
         const TabulatedForce at = table.look_up(patch, 0, load, v), next = table.look_up(patch, 1e-6, load, v);
         CHECK(array(at.force).isZero());
         const Eigen::Array3d by_mu = array(at.tangent_by_friction_coefficient);
@@ -242,16 +250,16 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         CHECK(array(table.look_up(patch, 0, load, {0, 0, 0}).tangent_by_load).isZero());
     }
     // where creepages vanish one by one, by steps that leave the plane of symmetry
-    const PatchContact<double> round = contact(1.3);
+    const PatchContact round = contact(1.3);
     for (const auto& v : {creepage(round, 0, 0.3, -0.2), creepage(round, 0.3, 0, 0), creepage(round, 0, 0, 0.4),
                           creepage(round, 0, -0.2, 0), creepage(round, 0, 0, 0)}) {
         const TabulatedForce at = table.look_up(round, mu, load, v);
-        const Creepage<double> unit = creepage(round, 1, 1, 1);
-        for (const auto& [which, tangent] : {std::pair(&Creepage<double>::longitudinal, at.tangent.by_longitudinal),
-                                             std::pair(&Creepage<double>::lateral, at.tangent.by_lateral),
-                                             std::pair(&Creepage<double>::spin, at.tangent.by_spin)}) {
+        const Creepage unit = creepage(round, 1, 1, 1);
+        for (const auto& [which, tangent] :
+             {std::pair(&Creepage::longitudinal, at.tangent.by_longitudinal),
+              std::pair(&Creepage::lateral, at.tangent.by_lateral), std::pair(&Creepage::spin, at.tangent.by_spin)}) {
             for (const double step : {1e-6, -1e-6}) {
-                Creepage<double> beside = v;
+                Creepage beside = v;
                 beside.*which += step * (unit.*which);
                 const Eigen::Array3d difference = array(table.look_up(round, mu, load, beside).force) - array(at.force);
                 const Eigen::Array3d slope = array(tangent) * (unit.*which);
@@ -263,7 +271,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         }
     }
     // along a line through many cells, past the point of rest: the tangent changes in proportion to the step
-    const PatchContact<double> patch = contact(1.1);
+    const PatchContact patch = contact(1.1);
     for (const double step : {1e-4, 1e-5}) {
         double jump = 0, last = std::numeric_limits<double>::quiet_NaN();
         for (double t = -0.3; t < 0.3; t += step) {
@@ -277,7 +285,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     // and so does its own derivative, past the first level, where the correction at rest ends
     const double n = table.grid().levels(),
                  at_level = CreepForceGrid::saturation_scale / (n - 1) / creep_forces::coefficients(1).c22;
-    const PatchContact<double> circle = contact(1);
+    const PatchContact circle = contact(1);
     const auto change = [&](double from, double to) {
         const auto tangent = [&](double part) {
             return table.look_up(circle, mu, load, creepage(circle, 0, part * at_level, 0)).tangent.by_lateral.lateral;
@@ -290,10 +298,10 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
 TEST_CASE("creep_force_table: far below saturation, between its ellipses") {
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.55, 0.8, 1.3, 1.85}) {
-        const PatchContact<double> patch = contact(a_over_b);
+        const PatchContact patch = contact(a_over_b);
         const auto c = creep_forces::coefficients(a_over_b);
         const double stiffness = -modulus * patch.c() * patch.c();
-        const Creepage<double> v{1e-6, -2e-6, 3e-5 / patch.c()};
+        const Creepage v{1e-6, -2e-6, 3e-5 / patch.c()};
         // the larger mu, the fewer digits the splines have
         for (const double ratio : {1e3, 1e9, 1e15}) {
             const TabulatedForce at = table.look_up(patch, ratio, load, v);
@@ -311,11 +319,12 @@ TEST_CASE("creep_force_table: far below saturation, between its ellipses") {
 TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it") {
     const CreepForceTable& table = small_table();
 
-    const PatchContact<double> patch = contact(1);
-    static_assert(noexcept(table.look_up(patch, mu, load, Creepage<double>{})));
+    const PatchContact patch = contact(1);
+    static_assert(noexcept(table.look_up(patch, mu, load, Creepage{})));
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    const auto status = [&](const PatchContact<double>& where, double friction, double pressing,
-                            const Creepage<double>& v) { return table.look_up(where, friction, pressing, v).status; };
+    const auto status = [&](const PatchContact& where, double friction, double pressing, const Creepage& v) {
+        return table.look_up(where, friction, pressing, v).status;
+    };
     CHECK(status(contact(1, 0.2899), mu, load, {}) == Status::ok);
     CHECK(status(contact(1, 0.2901), mu, load, {}) == Status::wrong_table);
     CHECK(status(contact(1, 0.25), mu, load, {}) == Status::wrong_table);
@@ -327,7 +336,7 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(status(patch, mu, load, {0, 0, inf}) == Status::not_finite);
     CHECK(std::isnan(table.look_up(patch, mu, -1, {}).force.lateral));
     const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(3, -1, 1), trailing = Eigen::ArrayXd::Constant(3, -1);
-    const PatchContact<double> square(Outline<double>(y, trailing, -trailing), modulus, 0.28);
+    const PatchContact square(Outline(y, trailing, -trailing), modulus, 0.28);
     CHECK(status(square, mu, load, {}) == Status::wrong_table);
 
     for (const double none : {0.0, 1.0}) {  // no friction, no load
@@ -349,7 +358,7 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
 }
 
 TEST_CASE("creep_force_table: forces are smooth in a/b") {
-    const Creepage<double> v = creepage(contact(1), 0.5, 0.3, 0.4);
+    const Creepage v = creepage(contact(1), 0.5, 0.3, 0.4);
     for (const double a_over_b : {0.6, 0.93, 1.1, 1.7}) {
         const auto slope = [&](double step) -> Eigen::Array3d {
             const auto at = [&](double place) {
@@ -368,7 +377,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     std::istringstream stream(good);
     const CreepForceTable again = CreepForceTable::read(stream);
     CHECK(bytes(again) == good);
-    const PatchContact<double> patch = contact(0.8);
+    const PatchContact patch = contact(0.8);
     for (const auto& v : {creepage(patch, 0.3, 0.1, -0.2), creepage(patch, 0.01, 0.02, 0), creepage(patch, 9, 5, 7)}) {
         CHECK((array(table.look_up(patch, mu, load, v).force) == array(again.look_up(patch, mu, load, v).force)).all());
     }
@@ -430,10 +439,10 @@ TEST_CASE("creep_force_table: the table of steel holds the forces of its patches
         CreepForceSource source(grid.a_over_b(shape), grid.poisson_ratio(), range.n);
         for (int k = 0; k < 6; ++k) {
             const auto node = static_cast<Eigen::Index>(draw.uniform(0, static_cast<double>(grid.nodes())));
-            const Creepage<double> v = grid.creepage(shape, node);
+            const Creepage v = grid.creepage(shape, node);
             const auto solution = source.solve(v, true);
             REQUIRE(solution.step.status == Status::ok);
-            const PatchContact<double>& patch = source.contact();
+            const PatchContact& patch = source.contact();
             const double limit = patch.half_width();  // mu N = G a b
             const auto found = steel.look_up(patch, 1, limit, {v.longitudinal, v.lateral, v.spin / patch.c()});
             const Eigen::Array3d force = -array(found.force) / limit / Eigen::Array3d(1, 1, patch.c());

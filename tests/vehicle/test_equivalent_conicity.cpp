@@ -1,4 +1,4 @@
-// rollbem/vehicle/equivalent_conicity.hpp, normal/rigid_contact.hpp
+// rollbem/vehicle/wheelset_on_track.hpp, normal/wheel_on_rail.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
-#include <rollbem/vehicle/equivalent_conicity.hpp>
+#include <rollbem/normal/profile.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -1,4 +1,4 @@
-// rollbem/vehicle/flash_temperature.hpp, rail_friction.hpp, and friction of a patch with both
+// rollbem/vehicle/wheelset_forces.hpp, rail_friction.hpp, and friction of a patch with both
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,11 +6,9 @@
 #include <optional>
 
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/vehicle/flash_temperature.hpp>
-#include <rollbem/vehicle/patch_force.hpp>
-#include <rollbem/vehicle/rail_friction.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 #include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "support/catch.hpp"

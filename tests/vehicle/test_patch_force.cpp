@@ -1,4 +1,4 @@
-// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp, vehicle/wheelset_forces.hpp
+// rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,11 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/scene/mirror.hpp>
-#include <rollbem/vehicle/patch_elements.hpp>
-#include <rollbem/vehicle/patch_force.hpp>
+#include <rollbem/scene/wheelset.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
@@ -64,8 +63,8 @@ TEST_CASE("Creepages of a mirror image are mirror images of creepages, and force
     const RailPatch patch = mirrored(scene.patch, mirror);
     const WheelsetPosition at = mirrored(scene.at, mirror);
     const WheelsetSpeeds speeds = mirrored(scene.speeds, mirror);
-    const Creepage<double> own = mirrored(creepage_of(patch, at, speeds, 0.46), mirror),
-                           expected = creepage_of(scene.patch, scene.at, scene.speeds, 0.46);
+    const Creepage own = mirrored(creepage_of(patch, at, speeds, 0.46), mirror),
+                   expected = creepage_of(scene.patch, scene.at, scene.speeds, 0.46);
     CHECK(own.longitudinal == Approx(expected.longitudinal));
     CHECK(own.lateral == Approx(expected.lateral));
     CHECK(own.spin == Approx(expected.spin));
@@ -219,7 +218,7 @@ TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[pr
     const PatchForce found = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction);
     REQUIRE(found.status == Status::ok);
     double square = 0;  // integral of half the squared length
-    const Outline<double>& outline = *scene.patch.outline;
+    const Outline& outline = *scene.patch.outline;
     constexpr int lines = 2000;
     for (int k = 0; k < lines; ++k) {
         const double s = outline.low() + (k + 0.5) / lines * (outline.high() - outline.low()),
@@ -276,6 +275,11 @@ TEST_CASE("A longitudinal force of one wheel is had while the other one is lifte
     REQUIRE(driven.contacts.wheels[0].status == Status::no_contact);
     CHECK(driven.patches[1].at(0).status == Status::ok);
     CHECK(std::abs(driven.on_wheelset.force[0] - 1e3) < 0.5);
+    double work = 0, peak = 0;
+    for (const PatchForce& patch : driven.patches[1]) work += patch.slip_work;
+    for (const RailPatch& patch : driven.contacts.wheels[1].patches) peak = std::max(peak, patch.peak_pressure);
+    CHECK(driven.slip_work() == work);
+    CHECK(driven.peak_pressure() == peak);
 }
 
 TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanced", "[profiles]") {
@@ -285,6 +289,7 @@ TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanc
     WheelsetRolling rolling{.position = {.lateral = 2e-3, .yaw = 2e-3}, .speeds = {.forward = 20}, .force = 0};
     const WheelsetForces found = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(found.contacts.status == Status::unbalanced);
+    CHECK(found.status() == Status::unbalanced);
     CHECK(std::abs(found.on_wheelset.force[0]) < 1e-2 * 2e5);
     // the forces are those at this rate, on one side of the jump
     rolling.force.reset();

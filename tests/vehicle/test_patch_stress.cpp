@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include <rollbem/vehicle/patch_force.hpp>
 #include <rollbem/vehicle/patch_stress.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
 #include "vehicle/hertz_patch.hpp"

@@ -1,14 +1,20 @@
-// rollbem/vehicle/reduced_friction.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
+// rollbem/vehicle/creep_force_table.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
 // falls with the slip of each element.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
-#include <rollbem/vehicle/reduced_friction.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -33,16 +39,14 @@ const CreepForceTable& steel() {
     return table;
 }
 
-PatchContact<double> ellipse(double a_over_b) {
-    return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, 0.28});
+PatchContact ellipse(double a_over_b) {
+    return PatchContact({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, 0.28});
 }
 
-bool same(const TangentialForce<double>& one, const TangentialForce<double>& other) {
-    return (array(one) == array(other)).all();
-}
+bool same(const TangentialForce& one, const TangentialForce& other) { return (array(one) == array(other)).all(); }
 
 /// Creepages near saturation times `level`, in a random direction.
-Creepage<double> creepage(const PatchContact<double>& patch, double level, drawn::Draw& draw) {
+Creepage creepage(const PatchContact& patch, double level, drawn::Draw& draw) {
     const double unit = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
     return {unit * draw.normal(), unit * draw.normal(), unit / patch.c() * draw.normal()};
 }
@@ -53,8 +57,8 @@ TEST_CASE("reduced_friction: without reduction and fall, the numbers of the tabl
     drawn::Draw draw(1);
     for (const ReducedFriction& none : {ReducedFriction({}), ReducedFriction({.fall = 0.7})}) {
         for (int i = 0; i < 50; ++i) {
-            const PatchContact<double> patch = ellipse(draw.decades(-0.9, 1.1));
-            const Creepage<double> v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
+            const PatchContact patch = ellipse(draw.decades(-0.9, 1.1));
+            const Creepage v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
             const ReducedFriction::Force now = none.look_up(steel(), patch, mu_0, load, 30, v);
             const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
             REQUIRE(now.status == Status::ok);
@@ -75,12 +79,12 @@ TEST_CASE("reduced_friction: without reduction and fall, the numbers of the tabl
 
 TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share between them") {
     const ReducedFriction friction(wet);
-    const PatchContact<double> patch = ellipse(1.7);
+    const PatchContact patch = ellipse(1.7);
     const double slope = (wet.adhesion_factor + wet.slip_factor) / 2, stiffness = modulus * patch.c() * patch.c();
     const TabulatedForce rest = steel().look_up(patch, mu_0, load, {});
     for (const double size : {0.0, 1e-9}) {  // beside rest as at it
         const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, 20, {size, size, size});
-        const auto scaled = [&](const TangentialForce<double>& one, const TangentialForce<double>& by) {
+        const auto scaled = [&](const TangentialForce& one, const TangentialForce& by) {
             const Eigen::Array3d expected = slope * array(by);
             CHECK(((array(one) - expected).abs() <= 1e-4 * expected.abs().maxCoeff()).all());
         };
@@ -132,12 +136,12 @@ TEST_CASE("reduced_friction: tangents are derivatives") {
     drawn::Draw draw(4);
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
-        const PatchContact<double> patch = ellipse(draw.decades(-0.9, 0.9));
+        const PatchContact patch = ellipse(draw.decades(-0.9, 0.9));
         const double level = draw.decades(-1, 1), speed = draw.uniform(1, 40);
-        const Creepage<double> v = creepage(patch, level, draw);
+        const Creepage v = creepage(patch, level, draw);
         const double of = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
         const ReducedFriction::Force at = friction.look_up(steel(), patch, mu_0, load, speed, v);
-        const auto force = [&](const PatchContact<double>& where, double mu, double N, const Creepage<double>& by) {
+        const auto force = [&](const PatchContact& where, double mu, double N, const Creepage& by) {
             return friction.look_up(steel(), where, mu, N, speed, by).force;
         };
         const auto by_speed = [&](double step) {
@@ -168,10 +172,10 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
           "ReducedFriction: fall = -1 must be finite and not negative");
 
     const ReducedFriction friction(wet);
-    const PatchContact<double> patch = ellipse(1);
+    const PatchContact patch = ellipse(1);
     const CreepForceTable& table = steel();
-    static_assert(noexcept(friction.look_up(table, patch, mu_0, load, 1.0, Creepage<double>{})));
-    const auto at = [&](double mu, double N, double V, const Creepage<double>& v) {
+    static_assert(noexcept(friction.look_up(table, patch, mu_0, load, 1.0, Creepage{})));
+    const auto at = [&](double mu, double N, double V, const Creepage& v) {
         return friction.look_up(table, patch, mu, N, V, v);
     };
     CHECK(at(mu_0, load, -1, {}).status == Status::invalid_step);
@@ -181,13 +185,13 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
     CHECK(at(mu_0, -1, 1, {}).status == Status::invalid_load);
     CHECK(at(-0.1, load, 1, {}).status == Status::invalid_load);
     CHECK(std::isnan(at(mu_0, load, -1, {}).force.lateral));
-    CHECK(friction.look_up(table, PatchContact<double>({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
+    CHECK(friction.look_up(table, PatchContact({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
           Status::wrong_table);
     for (const ReducedFriction::Force& nothing :
          {at(0, load, 1, {1e-3, 0, 0}), at(mu_0, 0, 1, {1e-3, 0, 0}), at(mu_0, load, 1, {}), at(mu_0, load, 0, {})}) {
         CHECK(nothing.status == Status::ok);
         CHECK(same(nothing.force, {0, 0, 0}));
-        for (const TangentialForce<double>& by :
+        for (const TangentialForce& by :
              {nothing.tangent.by_longitudinal, nothing.tangent.by_lateral, nothing.tangent.by_spin,
               nothing.tangent_by_load, nothing.tangent_by_friction_coefficient, nothing.tangent_by_half_length,
               nothing.tangent_by_half_width, nothing.tangent_by_speed}) {
@@ -199,7 +203,7 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
 TEST_CASE("reduced_friction: beside patches whose friction falls with the slip of each element") {
     constexpr ReducedFriction::Parameters dry{.friction_ratio = 0.4, .fall = 0.6};
     const ReducedFriction friction(dry);
-    const PatchContact<double> patch = ellipse(1.3);
+    const PatchContact patch = ellipse(1.3);
     const PatchMesh<double> mesh = patch_mesh(patch, cosine_mesh(16), uniform_mesh(16));
     const auto system = steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
     const Eigen::ArrayXd pressure = hertz_pressures(patch, mesh, load);
@@ -217,8 +221,8 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
     constexpr int count = 8;
     for (int i = 0; i < count; ++i) {
         const double level = draw.decades(-1, 1.3), speed = draw.uniform(1, 40);
-        const Creepage<double> v = creepage(patch, level, draw);
-        const auto solved = model.steady(model.at_rest(), {Travel<>::at_speed(speed), v}, state, workspace);
+        const Creepage v = creepage(patch, level, draw);
+        const auto solved = model.steady(model.at_rest(), {Travel::at_speed(speed), v}, state, workspace);
         const auto clean = constant.steady(constant.at_rest(), {.motion = v}, constant_state, constant_workspace);
         REQUIRE(solved.status == Status::ok);
         REQUIRE(clean.status == Status::ok);

@@ -6,10 +6,17 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
-#include <rollbem/closed_form/full_sliding.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/load.hpp>
+#include <rollbem/normal/pressure.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/simplified_theory.hpp>
 
 #include "support/catch.hpp"
@@ -22,19 +29,19 @@ namespace {
 using namespace rollbem;
 
 constexpr double pi = std::numbers::pi, nu = 0.28, mu = 0.3, load = 8e4;
-const PatchContact<double> ellipse({6e-3, 4e-3, 8.2e10, nu});
+const PatchContact ellipse({6e-3, 4e-3, 8.2e10, nu});
 constexpr CreepCoefficients<double> kalker{4.8, 4.4, 2.0, -2.0, 0.9};
 
 SimplifiedTheory theory(const SimplifiedMesh& mesh) { return {ellipse, kalker, mu, load, mesh}; }
 
 enum class By { fastsim, fastrip };
-TangentialForce<double> force(By which, const Creepage<double>& at, const SimplifiedMesh& mesh) {
+TangentialForce force(By which, const Creepage& at, const SimplifiedMesh& mesh) {
     const SimplifiedForce found = which == By::fastsim ? theory(mesh).fastsim(at) : theory(mesh).fastrip(at);
     REQUIRE(found.status == Status::ok);
     return found.force;
 }
 /// Creepages that would cause `x`, `y` and `spin` times mu N without slip.
-Creepage<double> creepage(double x, double y, double spin) {
+Creepage creepage(double x, double y, double spin) {
     const double unit = mu * load / (ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width());
     return {unit * x / kalker.c11, unit * y / kalker.c22, unit * spin / kalker.c23 / ellipse.c()};
 }
@@ -55,7 +62,7 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
     CHECK(force(By::fastsim, {1, 0, 0}, {3, 1}).longitudinal == Approx(-bound).epsilon(1e-12));
     CHECK(force(By::fastsim, {0, -1, 0}, mesh).lateral == Approx(bound).epsilon(1e-12));
     CHECK(force(By::fastsim, {0, -1, 0}, {40, 40, TractionBound::elliptic}).lateral == Approx(bound).epsilon(1e-5));
-    for (const Creepage<double>& at : {Creepage<double>{3, -4, 0}, {100, 200, 3e4}, {0, 0, 1e5}, {-100, -100, -5e4}}) {
+    for (const Creepage& at : {Creepage{3, -4, 0}, {100, 200, 3e4}, {0, 0, 1e5}, {-100, -100, -5e4}}) {
         const auto found = force(By::fastrip, at, {100, 1600});
         const auto exact = full_sliding(ellipse.a_over_b(), at.longitudinal, at.lateral, at.spin * ellipse.c());
         CAPTURE(at.longitudinal, at.spin);
@@ -67,7 +74,7 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
 
 TEST_CASE("Mirror images of creepages have mirror images of forces", "[simplified]") {
     const By which = GENERATE(By::fastsim, By::fastrip);
-    for (const Creepage<double>& at : {creepage(0.5, 0.3, 0.4), creepage(1, -0.5, 2), creepage(-0.1, 0.2, -0.3)}) {
+    for (const Creepage& at : {creepage(0.5, 0.3, 0.4), creepage(1, -0.5, 2), creepage(-0.1, 0.2, -0.3)}) {
         const auto one = force(which, at, {}), across = force(which, {at.longitudinal, -at.lateral, -at.spin}, {}),
                    opposite = force(which, {-at.longitudinal, -at.lateral, -at.spin}, {});
         const double size = 1e-12 * mu * load;
@@ -81,14 +88,14 @@ TEST_CASE("Mirror images of creepages have mirror images of forces", "[simplifie
 
 /// A strip, the middle one, of an ellipse so wide that strip theory is exact, with the coefficients of its limit.
 struct WideStrip {
-    PatchContact<double> contact{{1, 1e3, 1, nu}};
+    PatchContact contact{{1, 1e3, 1, nu}};
     CreepCoefficients<double> limit{pi * pi / (4 * (1 - nu)), pi* pi / 4, pi / 3 / std::sqrt(1e3), 0, 0};
     double peak = 1e-3;  // mu p0, of half-length and G of 1
     int elements;
-    TangentialForce<double> force{0, 0, 0};  // over the force of full sliding
+    TangentialForce force{0, 0, 0};  // over the force of full sliding
     std::vector<SimplifiedElement> found;
 
-    WideStrip(const Creepage<double>& at, int count, int strip = 4) : elements(count) {
+    WideStrip(const Creepage& at, int count, int strip = 4) : elements(count) {
         const SimplifiedTheory theory(contact, limit, 1, peak * 2 * pi * 1e3 / 3, {9, count});
         const auto status = theory.fastrip(at, [&](const SimplifiedElement& element) {
             if (element.strip != strip) return;
@@ -126,7 +133,7 @@ TEST_CASE("A strip of FaStrip that the spin moves as creepage moves it back stic
 }
 
 TEST_CASE("FaStrip's middle strip has the forces of a line contact with spin", "[simplified]") {
-    const auto contact = Contact<double>::dimensionless(1000.0, nu);
+    const auto contact = Contact::dimensionless(1000.0, nu);
     const Mesh<double> mesh = cosine_mesh<double>(80);
     const NodeDifference scheme{Nodes::chebyshev};
     const ElementSystem<double, 2> system{steady_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
@@ -136,7 +143,7 @@ TEST_CASE("FaStrip's middle strip has the forces of a line contact with spin", "
     auto workspace = model.workspace();
     auto state = model.at_rest();
     for (const auto& [x, y, spin] : {std::array{0.0, 0.4, 0.3}, {0.3, 0.3, 0.5}, {0.4, -0.2, 0.4}, {0.0, 0.1, -0.5}}) {
-        const Creepage<double> at{2 * (1 - nu) * peak * x, 2 * peak * y, 2 * peak * spin};
+        const Creepage at{2 * (1 - nu) * peak * x, 2 * peak * y, 2 * peak * spin};
         const auto step = model.steady(model.at_rest(), {.motion = at}, state, workspace);
         REQUIRE(step.status == Status::ok);
         const WideStrip strip(at, 400);
@@ -150,7 +157,7 @@ TEST_CASE("FaStrip's middle strip has the forces of a line contact with spin", "
 
 TEST_CASE("FASTSIM is the one of CONTACT on finer and finer grids", "[simplified]") {
     // examples/fastsim of CONTACT 25.2, a/b = 2: flexibilities, F_y/(mu N) and M_z [N mm] of 40 and 200 elements a strip
-    const PatchContact<double> contact({8e-3, 4e-3, 8.2e10, nu});
+    const PatchContact contact({8e-3, 4e-3, 8.2e10, nu});
     const double G = 82000, a = 8;
     const CreepCoefficients<double> c{8 * a / (3 * G * 0.4937e-4), 8 * a / (3 * G * 0.5152e-4),
                                       pi * a * std::sqrt(2.0) / (4 * G * 0.4090e-4), 0, 0};
@@ -170,7 +177,7 @@ TEST_CASE("FASTSIM is the one of CONTACT on finer and finer grids", "[simplified
 }
 
 TEST_CASE("Elements of simplified theory converge, and heat is the work of creepage", "[simplified]") {
-    const Creepage<double> at = creepage(0.6, 0.4, 0.5);
+    const Creepage at = creepage(0.6, 0.4, 0.5);
     for (const By which : {By::fastsim, By::fastrip}) {
         std::vector<double> counts, errors;
         const auto limit = force(which, at, {200, 6400});
@@ -184,7 +191,7 @@ TEST_CASE("Elements of simplified theory converge, and heat is the work of creep
         CHECK(order > 0.8);
         CHECK(order < 1.4);
     }
-    for (const Creepage<double>& moved : {creepage(0.8, 0, 0), creepage(0, 0.8, 0), creepage(0.5, -0.6, 0)}) {
+    for (const Creepage& moved : {creepage(0.8, 0, 0), creepage(0, 0.8, 0), creepage(0.5, -0.6, 0)}) {
         std::vector<double> counts, errors;
         for (const int n : {10, 20, 40}) {
             double heat = 0, area = 0;
@@ -205,12 +212,12 @@ TEST_CASE("Elements of simplified theory converge, and heat is the work of creep
 
 TEST_CASE("Simplified theory refuses creepages whose tractions overflow, and no others", "[simplified]") {
     const By which = GENERATE(By::fastsim, By::fastrip);
-    const auto found = [&](const SimplifiedTheory& of, const Creepage<double>& at) {
+    const auto found = [&](const SimplifiedTheory& of, const Creepage& at) {
         return which == By::fastsim ? of.fastsim(at) : of.fastrip(at);
     };
     constexpr double huge = (std::numeric_limits<double>::max)();
     for (const double size : {1e300, huge}) {
-        for (const auto& at : {Creepage<double>{size, 0, 0}, {0, -size, 0}, {0, 0, size}, {size, size, -size}}) {
+        for (const auto& at : {Creepage{size, 0, 0}, {0, -size, 0}, {0, 0, size}, {size, size, -size}}) {
             const SimplifiedForce refused = found(theory({}), at);
             CAPTURE(size, at.longitudinal, at.lateral, at.spin);
             CHECK(refused.status == Status::not_finite);

@@ -1,11 +1,13 @@
-// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
+// rollbem/scene/patch_contact.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
 // and patches.
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/compiled/patch.hpp>
-#include <rollbem/normal/hertz_patch_load.hpp>
-#include <rollbem/scene/rolling_ellipse.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/elasticity/patch_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/scene/patch_contact.hpp>
+#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -22,16 +24,14 @@ namespace {
 
 constexpr double mu = 0.3, load = 8e4, modulus = 8e10, nu = 0.28, c = 5e-3, pi = std::numbers::pi;
 
-SemiAxes<double> axes_of(double a_over_b) { return {c * std::sqrt(a_over_b), c / std::sqrt(a_over_b)}; }
+SemiAxes axes_of(double a_over_b) { return {c * std::sqrt(a_over_b), c / std::sqrt(a_over_b)}; }
 
-Eigen::Vector3d vector(const TangentialForce<double>& force) {
-    return {force.longitudinal, force.lateral, force.moment};
-}
+Eigen::Vector3d vector(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
 /// A wheel and a rail whose planes are turned by a yaw.
-HertzEllipse<double> with_yaw(double yaw, double rail = 0.3) {
-    const ElasticBody<double> steel{2.1e11, nu};
-    return HertzEllipse<double>(
+HertzEllipse with_yaw(double yaw, double rail = 0.3) {
+    const ElasticBody steel{2.1e11, nu};
+    return HertzEllipse(
         {.load = load, .radii_1 = {0.46, -1}, .radii_2 = {1e9, rail}, .angle = yaw, .body_1 = steel, .body_2 = steel});
 }
 
@@ -39,9 +39,9 @@ HertzEllipse<double> with_yaw(double yaw, double rail = 0.3) {
 
 TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a circle has no turn") {
     for (const double a_over_b : {0.1, 0.5, 1.0, 3.0, 10.0}) {
-        const SemiAxes<double> axes = axes_of(a_over_b);
+        const SemiAxes axes = axes_of(a_over_b);
         CHECK(rolling_ellipse(axes, 0.0).axes == axes);
-        const SemiAxes<double> quarter = rolling_ellipse(axes, pi / 2).axes;
+        const SemiAxes quarter = rolling_ellipse(axes, pi / 2).axes;
         CHECK_THAT(quarter.half_length, WithinRel(axes.half_width, 1e-14));
         CHECK_THAT(quarter.half_width, WithinRel(axes.half_length, 1e-14));
         for (const double turn : {-0.7, 0.01, 0.4, 1.3}) {
@@ -71,30 +71,29 @@ TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a
 
 TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to the turn") {
     const CreepForceTable table = creep_forces::table(6, 5);
-    const Creepage<double> creepage{3e-4, -5e-4, 0.1};
-    const auto force_at = [&](const SemiAxes<double>& axes) {
-        return table.look_up(PatchContact<double>({axes.half_length, axes.half_width, modulus, nu}), mu, load,
-                             creepage);
+    const Creepage creepage{3e-4, -5e-4, 0.1};
+    const auto force_at = [&](const SemiAxes& axes) {
+        return table.look_up(PatchContact({axes.half_length, axes.half_width, modulus, nu}), mu, load, creepage);
     };
     for (const double turn : {-0.6, 0.0, 0.2, 1.1}) {
-        const SemiAxes<double> axes = axes_of(1.6);
-        const RollingEllipse<double> at = rolling_ellipse(axes, turn);
+        const SemiAxes axes = axes_of(1.6);
+        const RollingEllipse at = rolling_ellipse(axes, turn);
         const auto [a, b] = axes;
         const double h = 2e-5;
-        const auto check = [&](const SemiAxes<double>& slope, const SemiAxes<double>& more,
-                               const SemiAxes<double>& less, double step, double unit) {
+        const auto check = [&](const SemiAxes& slope, const SemiAxes& more, const SemiAxes& less, double step,
+                               double unit) {
             CHECK_THAT((more.half_length - less.half_length) / (2 * step) / unit,
                        WithinAbs(slope.half_length / unit, 1e-8));
             CHECK_THAT((more.half_width - less.half_width) / (2 * step) / unit,
                        WithinAbs(slope.half_width / unit, 1e-8));
         };
         CAPTURE(turn);
-        const SemiAxes<double> more = rolling_ellipse(axes, turn + h).axes, less = rolling_ellipse(axes, turn - h).axes;
+        const SemiAxes more = rolling_ellipse(axes, turn + h).axes, less = rolling_ellipse(axes, turn - h).axes;
         check(at.by_turn, more, less, h, c);
-        check(at.by_half_length, rolling_ellipse<double>({a * (1 + h), b}, turn).axes,
-              rolling_ellipse<double>({a * (1 - h), b}, turn).axes, a * h, 1);
-        check(at.by_half_width, rolling_ellipse<double>({a, b * (1 + h)}, turn).axes,
-              rolling_ellipse<double>({a, b * (1 - h)}, turn).axes, b * h, 1);
+        check(at.by_half_length, rolling_ellipse({a * (1 + h), b}, turn).axes,
+              rolling_ellipse({a * (1 - h), b}, turn).axes, a * h, 1);
+        check(at.by_half_width, rolling_ellipse({a, b * (1 + h)}, turn).axes,
+              rolling_ellipse({a, b * (1 - h)}, turn).axes, b * h, 1);
 
         const TabulatedForce now = force_at(at.axes);
         REQUIRE(now.status == Status::ok);
@@ -108,32 +107,30 @@ TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to
 }
 
 TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by along_rolling") {
-    const HertzEllipse<double> turned = with_yaw(0.02), along = turned.along_rolling();
+    const HertzEllipse turned = with_yaw(0.02), along = turned.along_rolling();
     REQUIRE(std::abs(turned.turn()) > 0.01);
     CHECK_THAT(refusal([&] { (void)turned.contact(); }), ContainsSubstring("along_rolling"));
     CHECK(along.turn() == 0);
     CHECK_THAT(along.peak_pressure(), WithinRel(turned.peak_pressure(), 1e-14));
     CHECK(along.approach() == turned.approach());
-    const SemiAxes<double> expected =
-        rolling_ellipse<double>({turned.half_length(), turned.half_width()}, turned.turn()).axes;
-    const PatchContact<double> contact = along.contact();
+    const SemiAxes expected = rolling_ellipse({turned.half_length(), turned.half_width()}, turned.turn()).axes;
+    const PatchContact contact = along.contact();
     CHECK(contact.half_length() == expected.half_length);
     CHECK(contact.half_width() == expected.half_width);
-    const HertzEllipse<double> straight = with_yaw(0);
+    const HertzEllipse straight = with_yaw(0);
     CHECK(straight.along_rolling().half_length() == straight.half_length());
     CHECK(straight.along_rolling().half_width() == straight.half_width());
 
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
-    CHECK_THAT(refusal([&] { HertzPatchLoad<double>::breathing(turned, contact, mesh); }),
-               ContainsSubstring("along_rolling"));
-    const auto hertz = HertzPatchLoad<double>::breathing(along, contact, mesh);
-    NormalLoad<double> now = hertz.at(load);
+    CHECK_THAT(refusal([&] { HertzPatchLoad::breathing(turned, contact, mesh); }), ContainsSubstring("along_rolling"));
+    const auto hertz = HertzPatchLoad::breathing(along, contact, mesh);
+    NormalLoad now = hertz.at(load);
     CHECK(hertz.set(with_yaw(0.03), now) == Status::invalid_load);
     CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == Status::ok);
     CHECK(now.half_length == with_yaw(0.03).along_rolling().half_length());
 
     // a nearly round ellipse may be turned far, but remains nearly round, to the second order
-    const HertzEllipse<double> round = with_yaw(1e-3, 1 / (1 + 1 / 0.46));
+    const HertzEllipse round = with_yaw(1e-3, 1 / (1 + 1 / 0.46));
     REQUIRE(std::abs(round.turn()) > 0.7);
     CHECK(std::abs(round.half_length() / round.half_width() - 1) > 5e-4);
     CHECK_THAT(round.along_rolling().contact().a_over_b(), WithinAbs(1, 1e-5));

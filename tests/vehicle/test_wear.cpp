@@ -6,7 +6,8 @@
 #include <limits>
 #include <string>
 
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/profile_wear.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -198,7 +199,7 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
         CHECK(refused(coefficient, {.elements = 0}) == "strip_work_of: number of elements = 0 must be at least 1");
     }
     WheelForces::Point other = point;
-    other.ellipse = PatchContact<double>({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
+    other.ellipse = PatchContact({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
     CHECK(refusal([&] { strip_work_of(other, creep(), mu); }) ==
           "creep_coefficients: poisson_ratio = 0.35 must be within 0.01 of the table's, 0.28");
 
@@ -206,7 +207,7 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     CHECK(strip_work_of(point, creep(), 1e300).strip_work.sum() == Approx(t_gamma(point)).epsilon(1e-12));
     CHECK(strip_work_of(point, creep(), 0, {.strips = 3}).strip_work.size() == 3);
     for (const double coefficient : {0.0, mu}) {
-        for (const Creepage<double>& creepage : {Creepage<double>{nan, 0, 0}, {0, 1e308, 0}}) {
+        for (const Creepage& creepage : {Creepage{nan, 0, 0}, {0, 1e308, 0}}) {
             other = point;
             other.creepage = creepage;
             const PatchForce found = strip_work_of(other, creep(), coefficient);
@@ -237,6 +238,87 @@ TEST_CASE("Wear over a profile takes work at any place, and none without result"
     CHECK((wear.work() == before).all());
 }
 
+TEST_CASE("Laws of wear", "[wear]") {
+    // kg per metre and m^2, of x in N/mm^2
+    const auto rate = [](const WearLaw& law, double x) {
+        return law.depth({.work = 1e6 * x, .pressure = 1e9, .slip = 1e-3, .sliding_velocity = 0.1}) * 7850 / 1e-3;
+    };
+    const WearLaw law = WearLaw::t_gamma(), table({2, 4}, {10, 30});
+    for (const auto& [x, k] : {std::array{0.0, 0.0},
+                               {5.0, 26.5},
+                               {10.4, 55.12},
+                               {50.0, 55.12},
+                               {77.2, 55.12},
+                               {100.0, 55.12 + 61.9 * 22.8}}) {
+        CHECK(rate(law, x) == Approx(k).epsilon(1e-12).margin(1e-12));
+    }
+    for (const double x : {10.4, 77.2}) CHECK(rate(law, x * (1 + 1e-9)) == Approx(rate(law, x)).epsilon(1e-6));
+    for (const auto& [x, k] : {std::array{1.0, 10.0}, {2.5, 15.0}, {9.0, 30.0}, {0.0, 0.0}}) {
+        CHECK(rate(table, x) == Approx(k).epsilon(1e-12).margin(1e-12));
+    }
+    // Archard: seizure, mild, severe and again mild wear
+    const WearLaw archard = WearLaw::archard_kth();
+    for (const auto& [pressure, velocity, k] :
+         {std::array{2.5e9, 0.1, 350e-4}, {1e9, 0.1, 5e-4}, {1e9, 0.2, 35e-4}, {1e9, 0.7, 35e-4}, {1e9, 0.8, 5e-4}}) {
+        CHECK(archard_coefficient(pressure, velocity) == k);
+        CHECK(archard.depth({0, pressure, 1e-3, velocity}) == Approx(k * pressure * 1e-3 / 3e9));
+    }
+    CHECK(refusal([] { WearLaw({}, {}); }) == "WearLaw: number of places = 0 must be at least 1");
+    CHECK(refusal([] { WearLaw({1, 1}, {1, 1}); }) == "WearLaw: t_gamma_per_area = 1 must lie above the one before");
+    CHECK(refusal([] { WearLaw({1}, {-1}); }) == "WearLaw: rate = -1 must be finite and not negative");
+    CHECK(refusal([] { WearLaw({1}, {1, 2}); }) == "WearLaw: number of rates = 2 must be the number of places");
+    CHECK(refusal([] { WearLaw::archard_kth(0); }) == "WearLaw: hardness = 0 must be positive and finite");
+}
+
+TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
+    WheelsetOnTrack::Workspace workspace;
+    const Place& place = places[3];
+    WheelsetRolling rolling{.position = place.position(), .loads = {load, load}, .speeds = place.speeds()};
+    rolling.free_pitch = false;
+    const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
+    const Profile& rail = track().wheel().rail();
+    for (const WearLaw& law : {WearLaw::t_gamma(), WearLaw::archard_kth()}) {
+        ProfileWear wear(rail, 700);
+        double sum = 0;
+        for (std::size_t i = 0; i < forces.patches[1].size(); ++i) {
+            const PatchForce& friction = forces.patches[1][i];
+            REQUIRE(friction.status == Status::ok);
+            CHECK(friction.work.sum() == Approx(friction.slip_work).epsilon(1e-12));
+            const PatchForce worn = wear_of(friction, law, speed);
+            double own = 0;
+            for (Eigen::Index k = 0; k < friction.slip.size(); ++k) {
+                const LoadedRectangle& e = friction.surface[friction.first_element + std::size_t(k)];
+                const double area = (e.x_2 - e.x_1) * (e.y_2 - e.y_1), slip = friction.slip[k];
+                own += area * law.depth({friction.work[k] / area, e.pressure, slip, slip * speed});
+                // work is traction times slip where both are taken at one place
+                CHECK(friction.work[k] <= 1.3 * area * std::hypot(e.traction_x, e.traction_y) * slip + 1e-9);
+            }
+            CHECK(worn.strip_work.sum() == Approx(own).epsilon(1e-12));
+            CHECK(worn.strip_work.minCoeff() >= 0);
+            wear.add(forces.contacts.wheels[1].patches[i].rail_s, worn);
+            sum += own;
+            // wear in proportion to work lies where the work does
+            const auto middle = [](const PatchForce& of) {
+                const Eigen::Index n = of.strip_work.size();
+                return ((of.edges.head(n) + of.edges.tail(n)) / 2 * of.strip_work).sum() / of.strip_work.sum();
+            };
+            const PatchForce even = wear_of(friction, WearLaw({0, 1e6}, {0, 1e6}), speed);
+            CHECK(even.strip_work.sum() == Approx(friction.slip_work * 1e-9 / 7850).epsilon(1e-12));
+            CHECK(middle(even) == Approx(middle(friction)).margin(0.05 * friction.edges.maxCoeff()));
+        }
+        CHECK(sum > 0);
+        const Eigen::ArrayXd means = wear.at_points(rail);
+        CHECK((means * lengths_at_points(rail)).sum() == Approx(sum).epsilon(1e-9));
+        // worn area = the law's sum, however it is spread
+        const Eigen::ArrayXd area = spread(rail, 1e4 * means, Eigen::ArrayXd::Constant(rail.size(), 1e-6));
+        CHECK((area * lengths_at_points(rail)).sum() == Approx(1e4 * sum).epsilon(1e-9));
+        CHECK(area.minCoeff() >= 0);
+        const Profile after = worn_by_area(rail, area, Profile::Use::rail);
+        CHECK(area_between(rail, after, Profile::Use::rail) == Approx(1e4 * sum).epsilon(1e-6));
+    }
+    CHECK(wear_of({}, WearLaw::t_gamma(), speed).strip_work.size() == 0);
+}
+
 TEST_CASE("Work of a point without load or without slip", "[wear]") {
     CHECK(strip_work_of({}, creep(), mu).status == Status::no_contact);
     WheelForces::Point point = loaded_point();
@@ -251,7 +333,7 @@ TEST_CASE("Work of a point without load or without slip", "[wear]") {
         beside.rail_y = 1;
         return beside;
     }())));
-    const auto kalker = creep_coefficients(creep(), PatchContact<double>({6e-3, 6e-3, 8e10, 0.28}));
+    const auto kalker = creep_coefficients(creep(), PatchContact({6e-3, 6e-3, 8e10, 0.28}));
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
     CHECK(kalker.c23 == Approx(1.4881).epsilon(2e-2));

@@ -7,10 +7,11 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "paper/claims.hpp"
+#include "studies/monomial.hpp"
+#include "studies/stick_border.hpp"
 
 namespace paper {
 

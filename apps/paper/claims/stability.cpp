@@ -1,7 +1,9 @@
 // Section 6.1, dynamic stability: Figs. 18 to 21.
 #include <limits>
 
-#include <rollbem/compiled/stability.hpp>
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 
 #include "paper/claims.hpp"
 

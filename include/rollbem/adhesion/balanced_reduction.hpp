@@ -2,163 +2,28 @@
 // steady state and a bound of the error at every frequency.
 #pragma once
 
-#include <algorithm>
-#include <complex>
-#include <limits>
-#include <string>
+#include "../detail/decl.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
-#include "detail/gramian.hpp"
 #include "state_space.hpp"
 
 namespace rollbem {
 
 /// A StateSpace reduced to K states. Invariant if status is ok: its A is stable, and its steady state c(0) equals the
 /// original's; otherwise all of its matrices are empty.
-template <class Scalar>
 struct BalancedReduction {
-    StateSpace<Scalar> space;  ///< K states, and D != 0
+    StateSpace space;  ///< K states, and D != 0
     /// Hankel singular values of the original, decreasing, in the unit of c; values below rounding, n eps times the
     /// largest, are left out. They depend neither on K nor on the choice of states.
-    ArrayX<Scalar> hankel_singular_values;
+    ArrayX<double> hankel_singular_values;
     /// |c(s) - c_K(s)| <= error_bound in the 2-norm where Re s >= 0, but for rounding: twice the sum of the singular
     /// values from the (K+1)-th on (Glover, Int. J. Control 39 (1984) 1115-1193).
-    Scalar error_bound = 0;
+    double error_bound = 0;
     /// unstable: a mode of the original grows; ill_conditioned: rounding of A could make one grow, or no input reaches
     /// an output, or the reduced system does not decay.
     Status status = Status::not_finite;
 };
-
-namespace detail {
-
-/// Whether the eigenvalues, the diagonal of a Schur form T of A, have negative real parts: ok if rounding of A cannot
-/// change that, else unstable or ill_conditioned.
-template <class Scalar>
-Status decay_status(const MatrixX<std::complex<Scalar>>& T) {
-    const Scalar rounding = static_cast<Scalar>(T.rows()) * std::numeric_limits<Scalar>::epsilon() * T.norm();
-    const Scalar largest = T.diagonal().real().maxCoeff();
-    if (!all_finite(T)) return Status::not_finite;
-    return largest > rounding ? Status::unstable : largest >= -rounding ? Status::ill_conditioned : Status::ok;
-}
-
-/// A real n x n factor M of the Gramian X = M M^T, X = (Z U) (Z U)^H; its columns decrease.
-template <class Scalar>
-MatrixX<Scalar> real_factor(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<std::complex<Scalar>>& U) {
-    const Eigen::Index n = Z.rows();
-    const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag(), U_re = U.real(), U_im = U.imag();
-    MatrixX<Scalar> parts(n, 2 * n);  // X is real, and therefore Re(Z U) Re(Z U)^T + Im(Z U) Im(Z U)^T
-    parts.leftCols(n).noalias() = Z_re * U_re;
-    parts.leftCols(n).noalias() -= Z_im * U_im;
-    parts.rightCols(n).noalias() = Z_re * U_im;
-    parts.rightCols(n).noalias() += Z_im * U_re;
-    const Eigen::ColPivHouseholderQR<MatrixX<Scalar>> qr(parts.transpose());
-    MatrixX<Scalar> factor = MatrixX<Scalar>::Zero(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-        factor.row(qr.colsPermutation().indices()[j]).head(j + 1) = qr.matrixQR().col(j).head(j + 1);
-    }
-    return factor;
-}
-
-/// The number of columns above rounding of a matrix whose columns decrease.
-template <class Scalar>
-Eigen::Index numerical_rank(const MatrixX<Scalar>& factor) {
-    return (factor.colwise().norm().array() > std::numeric_limits<Scalar>::epsilon() * factor.norm()).count();
-}
-
-/// Z^H B for real B.
-template <class Scalar>
-MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<Scalar>& B) {
-    const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag();
-    MatrixX<std::complex<Scalar>> result(B.rows(), B.cols());
-    result.real() = Z_re.transpose() * B;
-    result.imag() = -Z_im.transpose() * B;
-    return result;
-}
-
-/// Hankel singular values above rounding, decreasing, and for each a direction in V (columns) and W (rows) of the
-/// balanced states x = V z, z = W x.
-template <class Scalar>
-struct Balance {
-    Status status;  ///< ok, not_finite, or ill_conditioned where there are none
-    ArrayX<Scalar> sigma{};
-    MatrixX<Scalar> V{}, W{};
-};
-
-/// Balances a state space with the Schur form A = Z T Z^H, by the square-root method.
-template <class Scalar>
-Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::complex<Scalar>>& Z,
-                        const MatrixX<std::complex<Scalar>>& T) {
-    using Matrix = MatrixX<Scalar>;
-    using ComplexMatrix = MatrixX<std::complex<Scalar>>;
-    const ComplexMatrix inputs = transformed<Scalar>(Z, space.B);
-    Matrix M_c = real_factor<Scalar>(Z, gramian_factor<Scalar>(T, inputs));
-    // T^H Y + Y T + C^H C = 0 is an equation of the same kind with rows and columns in reverse order
-    const ComplexMatrix outputs = transformed<Scalar>(Z, space.C.transpose()).colwise().reverse();
-    const ComplexMatrix reversed = gramian_factor<Scalar>(T.adjoint().reverse(), outputs);
-    Matrix M_o = real_factor<Scalar>(Z, reversed.colwise().reverse());
-
-    if (!is_finite(M_c.norm() * M_o.norm())) return {.status = Status::not_finite};
-    const Eigen::Index rank = (std::max)(numerical_rank(M_c), numerical_rank(M_o));
-    M_c.conservativeResize(Eigen::NoChange, rank);
-    M_o.conservativeResize(Eigen::NoChange, rank);
-    const Matrix product = M_o.transpose() * M_c;
-    if (product.norm() == 0) return {.status = Status::ill_conditioned};
-    const Eigen::JacobiSVD<Matrix, Eigen::NoQRPreconditioner> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const ArrayX<Scalar> sigma = svd.singularValues();
-    const Scalar rounding = static_cast<Scalar>(space.A.rows()) * std::numeric_limits<Scalar>::epsilon() * sigma[0];
-    const Eigen::Index count = (sigma > rounding).count();
-    const VectorX<Scalar> scale = sigma.head(count).sqrt().inverse().matrix();
-    return {.status = Status::ok,
-            .sigma = sigma.head(count),
-            .V = M_c * svd.matrixV().leftCols(count) * scale.asDiagonal(),
-            .W = (M_o * svd.matrixU().leftCols(count) * scale.asDiagonal()).transpose()};
-}
-
-/// Reduces a state space to the states that the columns of V span and the rows of W measure, while all other states
-/// follow without delay: A^-1 is restricted to V, along the null space of W, and inverted again.
-template <class Scalar>
-StateSpace<Scalar> residualised(const StateSpace<Scalar>& space, const MatrixX<Scalar>& V, const MatrixX<Scalar>& W) {
-    using Matrix = MatrixX<Scalar>;
-    const Eigen::PartialPivLU<Matrix> lu(space.A);
-    const Matrix inverse_B = lu.solve(space.B), inverse_V = lu.solve(V), output = space.C * inverse_V;
-    // W V is the identity but for rounding; solving with it makes the projection exact
-    const Eigen::PartialPivLU<Matrix> along(W * V);
-    const Eigen::PartialPivLU<Matrix> inverse_A(along.solve(W * inverse_V));
-    StateSpace<Scalar> reduced;
-    reduced.A = inverse_A.inverse();
-    reduced.B = inverse_A.solve(along.solve(W * inverse_B));
-    reduced.C = output * reduced.A;
-    reduced.D = space.D - space.C * inverse_B + output * reduced.B;
-    return reduced;
-}
-
-/// Throws std::invalid_argument unless the matrices fit together and all entries are finite.
-template <class Scalar>
-void require_state_space(const char* who, const StateSpace<Scalar>& space) {
-    const Eigen::Index n = space.A.rows();
-    require(n >= 1, who, "number of rows of A", n, "be at least 1");
-    require(space.A.cols() == n, who, "number of columns of A", space.A.cols(), "equal its number of rows");
-    require(space.B.rows() == n, who, "number of rows of B", space.B.rows(), "equal the number of rows of A");
-    require(space.C.cols() == n, who, "number of columns of C", space.C.cols(), "equal the number of columns of A");
-    require(space.D.rows() == space.C.rows(), who, "number of rows of D", space.D.rows(),
-            "equal the number of rows of C");
-    require(space.D.cols() == space.B.cols(), who, "number of columns of D", space.D.cols(),
-            "equal the number of columns of B");
-    require_finite(who, "A", space.A);
-    require_finite(who, "B", space.B);
-    require_finite(who, "C", space.C);
-    require_finite(who, "D", space.D);
-}
-
-}  // namespace detail
 
 /// Reduces a stable StateSpace of n states, any number of inputs and outputs, to K = `states` of a balanced one, or to
 /// as many as there are Hankel singular values above rounding, if these are fewer. The other states are taken to follow
@@ -170,28 +35,10 @@ void require_state_space(const char* who, const StateSpace<Scalar>& space) {
 /// O(n^3).
 ///
 /// Throws std::invalid_argument unless 1 <= states <= n, the matrices fit together, and their entries are finite.
-template <class Scalar>
-BalancedReduction<Scalar> balanced_reduction(const StateSpace<Scalar>& space, Eigen::Index states) {
-    detail::require_state_space("balanced_reduction", space);
-    const Eigen::Index n = space.A.rows();
-    const std::string rule = "lie in [1, " + detail::to_text(n) + "], the number of states there are";
-    detail::require(states >= 1 && states <= n, "balanced_reduction", "states", states, rule.c_str());
-
-    BalancedReduction<Scalar> result;
-    const Eigen::ComplexSchur<MatrixX<Scalar>> schur(space.A);
-    result.status =
-        schur.info() == Eigen::Success ? detail::decay_status<Scalar>(schur.matrixT()) : Status::ill_conditioned;
-    if (result.status != Status::ok) return result;
-    const detail::Balance<Scalar> balance = detail::balance(space, schur.matrixU(), schur.matrixT());
-    result.status = balance.status;
-    if (result.status != Status::ok) return result;
-    const Eigen::Index count = balance.sigma.size(), K = (std::min)(states, count);
-    result.hankel_singular_values = balance.sigma;
-    result.error_bound = 2 * balance.sigma.tail(count - K).sum();
-    const StateSpace<Scalar> reduced = detail::residualised<Scalar>(space, balance.V.leftCols(K), balance.W.topRows(K));
-    result.status = detail::decay_status<Scalar>(Eigen::ComplexSchur<MatrixX<Scalar>>(reduced.A, false).matrixT());
-    if (result.status == Status::ok) result.space = reduced;
-    return result;
-}
+BalancedReduction balanced_reduction(const StateSpace& space, Eigen::Index states);
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/balanced_reduction.ipp"
+#endif

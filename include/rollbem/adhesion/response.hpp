@@ -2,6 +2,8 @@
 // the response to e^{st}, (G' - s G) p = inputs, Eq. (16).
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,7 +17,7 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
-#include "../system/dissipation.hpp"
+#include "../system/detail/dissipation.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
@@ -34,69 +36,25 @@ struct Factorised {
 
 /// Factorises A in place and solves A p = inputs.
 template <class Value, class Scalar>
-Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
-    const Eigen::Index n = A.rows();
-    Response<Value> response;
-    VectorX<Scalar> row_sums = VectorX<Scalar>::Zero(n), magnitudes(n);
-    Scalar norm_1 = 0;
-    for (Eigen::Index j = 0; j < n; ++j) {
-        magnitudes = A.col(j).cwiseAbs();
-        row_sums += magnitudes;
-        norm_1 = (std::max)(norm_1, magnitudes.sum());
-    }
-    const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Value>>> lu(A);
-    response.unknowns.resize(n, inputs.cols());
-    for (Eigen::Index j = 0; j < inputs.cols(); ++j) {
-        response.unknowns.col(j) = lu.solve(inputs.col(j).template cast<Value>());
-    }
-    response.coefficients.noalias() = -(outputs.transpose().template cast<Value>() * response.unknowns);
-    const bool finite = all_finite(row_sums) && all_finite(response.unknowns) && all_finite(response.coefficients);
-    if (finite) response.rcond = reciprocal_condition(lu, norm_1);
-    return {std::move(response), row_sums.maxCoeff(), finite};
-}
+Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs);
 
 /// The response with residual and status; `product` is the original A times the unknowns.
 template <class Value, class Scalar>
-Response<Value> judge(Factorised<Value> factorised, MatrixX<Value> product, const MatrixX<Scalar>& inputs) {
-    Response<Value> response = std::move(factorised.response);
-    if (!factorised.finite) return response;
-    product -= inputs;
-    const Scalar size = factorised.norm * response.unknowns.cwiseAbs().maxCoeff() + inputs.cwiseAbs().maxCoeff();
-    response.residual =
-        all_finite(product) ? product.cwiseAbs().maxCoeff() / size : std::numeric_limits<Scalar>::infinity();
-    const int allowed = Eigen::NumTraits<Value>::IsComplex ? 1 : 100;
-    response.status = trust(product.rows(), response.rcond, response.residual, allowed);
-    return response;
-}
+Response<Value> judge(Factorised<Value> factorised, MatrixX<Value> product, const MatrixX<Scalar>& inputs);
 
 template <class Value, class Scalar>
-Response<Value> solve_copied(MatrixX<Value> A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
-    const MatrixX<Value> original = A;
-    Factorised<Value> factorised = factorise(A, inputs, outputs);
-    MatrixX<Value> product = original * factorised.response.unknowns;
-    return judge(std::move(factorised), std::move(product), inputs);
-}
+Response<Value> solve_copied(MatrixX<Value> A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs);
 
 /// Sets Status::assists_creepage unless the tractions of steady rolling oppose the creepage.
 template <class Value>
 void judge_tractions(const MatrixX<typename Response<Value>::Scalar>& steady,
-                     const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response) {
-    if (response.status == Status::ok && !opposes_creepage<typename Response<Value>::Scalar>(steady.col(0), widths)) {
-        response.status = Status::assists_creepage;
-    }
-}
+                     const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response);
 
 template <class Scalar>
-void require_equations(const MatrixX<Scalar>& G_prime) {
-    require(G_prime.rows() > 0 && G_prime.cols() == G_prime.rows(), "solve_steady", "number of columns of G_prime",
-            G_prime.cols(), "be positive and equal the number of rows");
-}
+void require_equations(const MatrixX<Scalar>& G_prime);
 
 template <class Scalar>
-void require_growth(const char* who, const std::complex<Scalar>& s) {
-    require_finite(who, "Re(s)", s.real());
-    require_finite(who, "Im(s)", s.imag());
-}
+void require_growth(const char* who, const std::complex<Scalar>& s);
 
 /// The divisor of equations in G' - s G that prevents overflow for any finite s.
 template <class Scalar>
@@ -106,65 +64,50 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
 
 /// Solves (G' - s G) p = inputs, without judging the tractions of steady rolling.
 template <class Scalar>
-Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s) {
-    const Scalar scale = equation_scale(s);
-    MatrixX<std::complex<Scalar>> A(system.size(), system.size());
-    A.real() = system.G_prime() / scale - (s.real() / scale) * system.G();
-    A.imag() = -(s.imag() / scale) * system.G();
-    return solve_copied<std::complex<Scalar>, Scalar>(std::move(A), system.inputs() / scale, system.outputs());
-}
+Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s);
 
 }  // namespace detail
 
 /// Steady rolling: G' p = inputs, for ready matrices (G' n x n in units of 1/G, inputs and outputs n x k). G' is passed
 /// by value: the factors overwrite it. Throws std::invalid_argument if sizes do not fit.
 template <class Scalar>
-Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
-    detail::require_equations(G_prime);
-    const Eigen::Index n = G_prime.rows();
-    detail::require(inputs.rows() == n, "solve_steady", "number of rows of inputs", inputs.rows(),
-                    "equal the number of rows of G_prime");
-    detail::require(outputs.rows() == n, "solve_steady", "number of rows of outputs", outputs.rows(),
-                    "equal the number of rows of G_prime");
-    return detail::solve_copied<Scalar, Scalar>(std::move(G_prime), inputs, outputs);
-}
+Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs);
 
 /// Steady rolling: G' p = 1, for elements of these widths (in units of a), whose tractions must oppose the creepage.
 /// Throws std::invalid_argument unless G' is square with as many columns as there are widths.
 template <class Scalar>
-Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths) {
-    detail::require_equations(G_prime);
-    detail::require(widths.size() == G_prime.cols(), "solve_steady", "number of widths", widths.size(),
-                    "equal the number of columns of G_prime");
-    const MatrixX<Scalar> ones = MatrixX<Scalar>::Ones(widths.size(), 1), outputs = widths.matrix();
-    Response<Scalar> response = solve_steady<Scalar>(std::move(G_prime), ones, outputs);
-    detail::judge_tractions(response.unknowns, widths, response);
-    return response;
-}
+Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths);
 
 /// Steady rolling of a system: tractions must oppose the creepage, other unknowns may have either sign.
 template <class Scalar>
-Response<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
-    Response<Scalar> response = solve_steady<Scalar>(system.G_prime(), system.inputs(), system.outputs());
-    if (system.unknowns_are_tractions()) {
-        detail::judge_tractions(response.unknowns, system.weights(), response);
-    }
-    return response;
-}
+Response<Scalar> solve_steady(const RollingSystem<Scalar>& system);
 
 /// Response to creepages e^{st}, Eq. (16), for any complex s in units of V/a; s = i omega a/V for harmonic creepage, of
 /// either sign. Status::assists_creepage if the tractions of steady rolling do not oppose the first creepage. Throws
 /// std::invalid_argument if s is not finite.
 template <class Scalar>
 Response<std::complex<Scalar>> solve_response(const RollingSystem<Scalar>& system,
-                                              std::type_identity_t<std::complex<Scalar>> s) {
-    detail::require_growth("solve_response", s);
-    Response<std::complex<Scalar>> response = detail::solve_growing(system, s);
-    if (response.status == Status::ok && system.unknowns_are_tractions()) {
-        const MatrixX<Scalar> steady = system.G_prime().partialPivLu().solve(system.inputs().leftCols(1));
-        detail::judge_tractions(steady, system.weights(), response);
-    }
-    return response;
-}
+                                              std::type_identity_t<std::complex<Scalar>> s);
 
 }  // namespace rollbem
+
+#include "impl/response.tpp"
+
+#ifdef ROLLBEM_COMPILED
+namespace Eigen {
+extern template void PartialPivLU<MatrixXd>::compute();
+extern template void PartialPivLU<Ref<MatrixXcd>>::compute();
+}  // namespace Eigen
+namespace rollbem {
+extern template decltype(detail::factorise<double, double>) detail::factorise<double, double>;
+extern template decltype(detail::judge<double, double>) detail::judge<double, double>;
+extern template decltype(detail::solve_copied<double, double>) detail::solve_copied<double, double>;
+extern template decltype(detail::factorise<std::complex<double>, double>)
+    detail::factorise<std::complex<double>, double>;
+extern template decltype(detail::judge<std::complex<double>, double>) detail::judge<std::complex<double>, double>;
+extern template decltype(detail::solve_copied<std::complex<double>, double>)
+    detail::solve_copied<std::complex<double>, double>;
+extern template Response<std::complex<double>> solve_response<double>(const RollingSystem<double>&,
+                                                                      std::complex<double>);
+}  // namespace rollbem
+#endif

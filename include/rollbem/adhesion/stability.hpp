@@ -1,306 +1,71 @@
 // Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
-// and which signs of their real parts are certain. stability_count.hpp only counts.
+// which signs of their real parts are certain, and a fast count of growing modes.
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Jacobi>
-#include <Eigen/LU>
-
-#include "../detail/finite.hpp"
-#include "../system/element_blocks.hpp"
+#include "../status.hpp"
 #include "../system/rolling_system.hpp"
-#include "../system/stability_verdict.hpp"
 
 namespace rollbem {
 
+/// Result of count_unstable.
+struct UnstableCount {
+    Eigen::Index n = 0;
+    Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
+    double flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
+    double rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+    Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
+};
+
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
+/// Re(mu) have the same sign.
+UnstableCount count_unstable(const RollingSystem<double>& system);
+
 /// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. The base
 /// class holds the verdict of judge_stability; solve_stability settles no sign, and all are uncertain.
-template <class Scalar>
 struct StabilityResult : StabilityVerdict {
     /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
     /// are adjacent.
-    VectorX<std::complex<Scalar>> alpha;
-    VectorX<Scalar> beta;
+    VectorX<std::complex<double>> alpha;
+    VectorX<double> beta;
     /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: the effect that rounding of G
     /// and G' can have on each eigenvalue, to first order. Empty from solve_stability; infinite for infinite
     /// eigenvalues.
-    VectorX<Scalar> uncertainty;
-    Scalar spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
-    Scalar stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest
+    VectorX<double> uncertainty;
+    double spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
+    double stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest
 
-    Scalar unstable_fraction() const {
-        return static_cast<Scalar>(unstable_count) / static_cast<Scalar>(std::max<Eigen::Index>(alpha.size(), 1));
-    }
+    double unstable_fraction() const;
 
     /// The eigenvalues as numbers; infinite ones are (inf, 0).
-    VectorX<std::complex<Scalar>> eigenvalues() const {
-        VectorX<std::complex<Scalar>> nu(alpha.size());
-        for (Eigen::Index k = 0; k < nu.size(); ++k) {
-            nu[k] = beta[k] > 0 ? alpha[k] / beta[k] : std::complex<Scalar>(std::numeric_limits<Scalar>::infinity());
-        }
-        return nu;
-    }
+    VectorX<std::complex<double>> eigenvalues() const;
 };
-
-namespace detail {
-
-/// Largest singular value.
-template <class Scalar>
-Scalar two_norm(const MatrixX<Scalar>& A) {
-    MatrixX<Scalar> square(A.cols(), A.cols());
-    square.noalias() = A.transpose() * A;
-    const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
-    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
-}
-
-/// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is triangular except for 2 x 2 blocks.
-template <class Scalar>
-struct QuasiTriangularPair {
-    MatrixX<Scalar> S, T;
-
-    bool is_pair(Eigen::Index i) const { return i + 1 < S.rows() && S(i + 1, i) != 0; }
-};
-
-/// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair, the one with positive imaginary
-/// part. Where S has a 2 x 2 block, QZ makes T diagonal.
-template <class Scalar>
-std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<Scalar>& pair, Eigen::Index i) {
-    const auto& [S, T] = pair;
-    if (!pair.is_pair(i)) {
-        const Scalar beta = T(i, i);
-        return {beta < 0 ? -S(i, i) : S(i, i), std::abs(beta)};
-    }
-    // (S - nu T) is singular: nu is an eigenvalue of S diag(b, a) / (a b) with T = diag(a, b)
-    const Scalar a = T(i, i), b = T(i + 1, i + 1);
-    const Scalar half_difference = (S(i, i) * b - S(i + 1, i + 1) * a) / 2;
-    const Scalar mean = (S(i, i) * b + S(i + 1, i + 1) * a) / 2;
-    const Scalar square = half_difference * half_difference + S(i, i + 1) * a * S(i + 1, i) * b;
-    const Scalar beta = a * b;
-    return {{beta < 0 ? -mean : mean, std::sqrt(std::abs(square))}, std::abs(beta)};
-}
-
-/// Makes the 2 x 2 blocks triangular by complex rotations, the eigenvalue with positive imaginary part first.
-template <class Scalar>
-void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex<Scalar>>& S,
-                   MatrixX<std::complex<Scalar>>& T) {
-    using Complex = std::complex<Scalar>;
-    S = pair.S.template cast<Complex>();
-    T = pair.T.template cast<Complex>();
-    for (Eigen::Index i = 0; i + 1 < S.rows(); ++i) {
-        if (!pair.is_pair(i)) continue;
-        const auto [alpha, beta] = eigenvalue_at(pair, i);
-        // the second row of (beta S - alpha T) v = 0 gives v, which becomes the first column
-        Eigen::JacobiRotation<Complex> rotation;
-        const Complex first = beta * S(i + 1, i + 1) - alpha * T(i + 1, i + 1);
-        const Complex second = -beta * S(i + 1, i);
-        const Scalar length = std::hypot(std::abs(first), std::abs(second));
-        Eigen::Matrix<Complex, 2, 2> Z;
-        Z << first / length, -std::conj(second) / length, second / length, std::conj(first) / length;
-        S.template middleCols<2>(i) = (S.template middleCols<2>(i) * Z).eval();
-        T.template middleCols<2>(i) = (T.template middleCols<2>(i) * Z).eval();
-        rotation.makeGivens(T(i, i), T(i + 1, i));
-        S.applyOnTheLeft(i, i + 1, rotation.adjoint());
-        T.applyOnTheLeft(i, i + 1, rotation.adjoint());
-        S(i + 1, i) = T(i + 1, i) = 0;
-    }
-}
-
-/// Finds StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution,
-/// separately for each eigenvalue: two spectra need not be matched, and no ill-conditioned matrix of vectors is
-/// inverted. Since v ends and w starts at entry i of the eigenvalue, where both are 1, y^H G x = T_ii / (|v| |w|).
-template <class Scalar>
-VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
-                                           Scalar norm_G) {
-    using Complex = std::complex<Scalar>;
-    const Eigen::Index n = pair.S.rows();
-    const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    MatrixX<Complex> S, T;
-    triangularise(pair, S, T);
-    VectorX<Scalar> uncertainty(n);
-    MatrixX<Complex> shifted(n, n);
-    VectorX<Complex> v(n), w(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto [alpha, beta] = eigenvalue_at(pair, i);
-        for (Eigen::Index j = 0; j < n; ++j) {
-            shifted.col(j).head(j + 1) = beta * S.col(j).head(j + 1) - alpha * T.col(j).head(j + 1);
-        }
-        // close eigenvalues: a smallest pivot in place of zero, as rounding could have produced it
-        const Scalar rounding = epsilon * (beta * norm_G_prime + std::abs(alpha) * norm_G);
-        for (Eigen::Index j = 0; j < n; ++j) {
-            if (std::abs(shifted(j, j)) < rounding) shifted(j, j) = rounding;
-        }
-        const Eigen::Index after = n - 1 - i;
-        v.head(i) = -shifted.col(i).head(i);
-        shifted.topLeftCorner(i, i).template triangularView<Eigen::Upper>().solveInPlace(v.head(i));
-        w.tail(after) = -shifted.row(i).tail(after).adjoint();
-        shifted.bottomRightCorner(after, after)
-            .template triangularView<Eigen::Upper>()
-            .adjoint()
-            .solveInPlace(w.tail(after));
-        const Scalar lengths = std::hypot(Scalar(1), v.head(i).norm()) * std::hypot(Scalar(1), w.tail(after).norm());
-        const Scalar bound =
-            beta > 0 ? static_cast<Scalar>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
-        uncertainty[i] = is_nan(bound) ? infinity : bound;  // overflow in v or w
-        if (pair.is_pair(i)) {
-            uncertainty[i + 1] = uncertainty[i];
-            ++i;
-        }
-    }
-    return uncertainty;
-}
-
-/// Whether all eigenvalues have Re(nu) < 0 for every perturbation of G' and G by n eps of their norms; `middle` is
-/// about the geometric mean of |nu|. Single eigenvalues may be too ill-conditioned to tell, y^H G x being small.
-///
-/// The step A = (G - tau G')^-1 (G + tau G') of the trapezoidal rule has the eigenvalues (1 + tau nu)/(1 - tau nu),
-/// inside the unit circle if and only if all Re(nu) < 0. The proof is an energy p^T Y p that each step diminishes: Y
-/// and R = Y - A^T Y A are both positive definite, R by more than rounding. Y, the sum of |A^j p|^2 until powers are
-/// small, is found by doubling their number; its accuracy does not matter.
-template <class Scalar>
-bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G_prime, Scalar norm_G) {
-    using Matrix = MatrixX<Scalar>;
-    const Eigen::Index n = system.size();
-    const Scalar tau = 1 / middle;
-    const Matrix identity = Matrix::Identity(n, n);
-    const Matrix inverse = Eigen::PartialPivLU<Matrix>(system.G() - tau * system.G_prime()).inverse();
-    const Matrix A = 2 * (inverse * system.G()) - identity;
-    Matrix Y = identity, power = A, product;
-    int doublings = 0;
-    for (Scalar size = power.norm(); !(size < Scalar(0.5)); size = power.norm()) {
-        // the slowest mode that rounding leaves inside the unit circle has decayed by then
-        if (++doublings > std::numeric_limits<Scalar>::digits + 10) return false;
-        if (!(size < 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()))) return false;
-        product.noalias() = Y * power;
-        Y.noalias() += power.transpose() * product;
-        product.noalias() = power * power;
-        power.swap(product);
-    }
-    product.noalias() = Y * A;
-    Matrix R = Y;
-    R.noalias() -= A.transpose() * product;
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon(), size = A.norm();
-    const Scalar of_A = rounding * inverse.norm() * (norm_G + tau * norm_G_prime) * (1 + size);
-    R.diagonal().array() -= 2 * Y.norm() * size * (rounding * size + of_A);
-    return Eigen::LLT<Matrix>(Y).info() == Eigen::Success && Eigen::LLT<Matrix>(R).info() == Eigen::Success;
-}
-
-template <class Scalar>
-StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bool settle_signs) {
-    const Eigen::Index n = system.size();
-    StabilityResult<Scalar> result;
-    result.n = result.uncertain_count = n;
-    QuasiTriangularPair<Scalar> pair;
-    const Scalar largest_slope = system.G_prime().cwiseAbs().maxCoeff();
-    if (!(largest_slope >= negligible<Scalar>)) {  // QZ, whose tolerances vanish, would not end
-        result.status = Status::ill_conditioned;
-        return result;
-    }
-    {
-        const Eigen::RealQZ<MatrixX<Scalar>> qz(system.G_prime(), system.G(), false);
-        result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;
-        if (result.status != Status::ok) return result;
-        pair = {qz.matrixS(), qz.matrixT()};
-    }
-    result.alpha.resize(n);
-    result.beta.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto [alpha, beta] = eigenvalue_at(pair, i);
-        result.alpha[i] = alpha;
-        result.beta[i] = beta;
-        if (!pair.is_pair(i)) continue;
-        ++i;
-        result.alpha[i] = std::conj(alpha);
-        result.beta[i] = beta;
-    }
-
-    if (!all_finite(result.alpha) || !all_finite(result.beta)) {
-        result.status = Status::not_finite;
-        return result;
-    }
-
-    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    result.spectral_abscissa = -std::numeric_limits<double>::infinity();
-    Scalar largest = 0, smallest = infinity, slowest = infinity;
-    for (const std::complex<Scalar>& nu : result.eigenvalues()) {
-        result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
-        slowest = (std::min)(slowest, std::abs(nu));
-        largest = (std::max)(largest, std::abs(nu.real()));
-        smallest = (std::min)(smallest, std::abs(nu.real()));
-        if (!is_finite(nu.real())) continue;
-        result.spectral_abscissa = (std::max)(result.spectral_abscissa, static_cast<double>(nu.real()));
-        if (nu.real() > 0) ++result.unstable_count;
-    }
-    result.stiffness_ratio = largest / smallest;
-    if (!settle_signs) return result;
-
-    const Scalar norm_G_prime = two_norm(system.G_prime()), norm_G = two_norm(system.G());
-    result.uncertainty = uncertainty_of_eigenvalues(pair, norm_G_prime, norm_G);
-    for (Eigen::Index k = 0; k < n; ++k) {
-        if (!(result.beta[k] > 0)) continue;
-        const Scalar growth = result.alpha[k].real() / result.beta[k];
-        if (std::abs(growth) > result.uncertainty[k]) --result.uncertain_count;
-        if (growth > result.uncertainty[k]) ++result.settled_unstable_count;
-    }
-    const Scalar middle = std::sqrt(slowest * result.spectral_radius);
-    if (result.uncertain_count > 0 && result.unstable_count == 0 && is_finite(middle) && middle > 0) {
-        result.decay_proved = all_decay(system, middle, norm_G_prime, norm_G);
-    }
-    return result;
-}
-
-}  // namespace detail
 
 /// Finds all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (Eigen::RealQZ), without vectors. If it does
 /// not converge, the status is ill_conditioned.
-template <class Scalar>
-StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system) {
-    return detail::find_eigenvalues(system, false);
-}
+StabilityResult solve_stability(const RollingSystem<double>& system);
 
 /// The condition number |A| |A^-1| in the 2-norm, infinite for a singular A. It is found from the inverse, because the
 /// small eigenvalues of A^T A would lose condition numbers beyond 1/sqrt(eps).
-template <class Scalar>
-Scalar condition_number(const MatrixX<Scalar>& A) {
-    const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(A).inverse();
-    if (!detail::all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
-    return detail::two_norm(A) * detail::two_norm(inverse);
-}
+double condition_number(const MatrixX<double>& A);
 
 /// The verdict on a system: its eigenvalues, how far rounding can move each of them, and which signs are settled. Costs
 /// more than solve_stability.
-template <class Scalar>
-StabilityResult<Scalar> judge_stability(const RollingSystem<Scalar>& system) {
-    return detail::find_eigenvalues(system, true);
-}
+StabilityResult judge_stability(const RollingSystem<double>& system);
 
 /// The verdict on all 2n eigenvalues; directions that do not couple are judged one by one.
-template <class Scalar>
-StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
-    if (system.coupled()) return judge_stability(system.joined());
-    const auto direction = [&](std::size_t d) -> StabilityVerdict {
-        return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
-    };
-    return direction(0) + direction(1);
-}
+StabilityVerdict judge_stability(const ElementSystem<double, 2>& system);
 
 /// The verdict on all eigenvalues of uncoupled subsystems; the two of a symmetric patch cost a quarter of the coupled
 /// system.
-template <class Scalar>
-StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& subsystems) {
-    StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const RollingSystem<Scalar>& subsystem : subsystems) all = all + judge_stability(subsystem);
-    return all;
-}
+StabilityVerdict judge_stability(const std::vector<RollingSystem<double>>& subsystems);
 
 /// The worst verdict on the nodes of PatchShapes, each judged by its uncoupled subsystems: the largest of each number.
 /// Shapes between two nodes are assumed to behave like the nodes.
@@ -322,3 +87,7 @@ StabilityVerdict judge_stability(const Shapes& shapes) {
 }
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/stability.ipp"
+#endif

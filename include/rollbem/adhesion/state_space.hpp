@@ -2,15 +2,8 @@
 // linearisation or controller design: dimensionless, and in SI units of a line or patch at a speed.
 #pragma once
 
-#include <limits>
-#include <string>
-#include <type_traits>
+#include "../detail/decl.hpp"
 
-#include <Eigen/LU>
-
-#include "../detail/finite.hpp"
-#include "../detail/reciprocal_condition.hpp"
-#include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../system/rolling_system.hpp"
@@ -29,68 +22,27 @@ namespace rollbem {
 /// - k = 3: xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m];
 /// - A [1/s]; B [1/s], for spin [m/s]; C and D [N], for the moment [N m]; D for spin has one more [m].
 /// The states remain dimensionless (Chebyshev states: displacement coefficients over a; elements: p/G).
-template <class Scalar>
 struct StateSpace {
-    MatrixX<Scalar> A;     ///< n x n
-    MatrixX<Scalar> B, C;  ///< n x k, k x n
-    MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
+    MatrixX<double> A;     ///< n x n
+    MatrixX<double> B, C;  ///< n x k, k x n
+    MatrixX<double> D;     ///< k x k; zero, but for a reduced system
 };
 
 /// The state space of any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming
 /// rcond(G), if G is singular to working precision (rcond <= 100 n eps), to which many elements with alpha_L = 0 come
 /// close.
-template <class Scalar>
-StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
-    const Eigen::Index n = system.size();
-    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G());
-    const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G()));
-    const Scalar least = 100 * static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const std::string rule =
-        "exceed " + detail::to_text(least) + ": G is singular to working precision, and cannot be inverted";
-    detail::require(detail::is_finite(rcond) && rcond > least, "state_space", "rcond of G", rcond, rule.c_str());
-    return {.A = lu.solve(system.G_prime()),
-            .B = -lu.solve(system.inputs()),
-            .C = -system.outputs().transpose(),
-            .D = MatrixX<Scalar>::Zero(system.input_count(), system.input_count())};
-}
-
-namespace detail {
-
-template <class Scalar>
-StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar length, Scalar width, Scalar shear_modulus,
-                         Scalar speed) {
-    require_positive("in_si", "speed", speed);
-    const Eigen::Index k = dimensionless.B.cols();
-    require(k == 1 || k == 3, "in_si", "number of inputs", k, "be 1, or 3 with spin");
-    VectorX<Scalar> arms = VectorX<Scalar>::Ones(k);
-    if (k == 3) arms[2] = length;
-    const Scalar rate = speed / length;
-    const VectorX<Scalar> forces = -width * length * shear_modulus * arms;
-    return {.A = rate * dimensionless.A,
-            .B = rate * dimensionless.B * arms.asDiagonal(),
-            .C = forces.asDiagonal() * dimensionless.C,
-            .D = forces.asDiagonal() * dimensionless.D * arms.asDiagonal()};
-}
-
-}  // namespace detail
+StateSpace state_space(const RollingSystem<double>& system);
 
 /// Converts a state space to SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D,
 /// with one more factor a for spin and for the moment. Throws std::invalid_argument unless V is positive and finite,
 /// the contact's half-width is finite, and there is one input or three.
-template <class Scalar>
-StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
-                         std::type_identity_t<Scalar> speed) {
-    detail::require_finite("in_si", "half_width", contact.half_width());
-    return detail::in_si<Scalar>(dimensionless, contact.half_length(), 2 * contact.half_width(),
-                                 contact.shear_modulus(), speed);
-}
+StateSpace in_si(const StateSpace& dimensionless, const Contact& contact, double speed);
 
 /// Converts a state space of a patch to SI units: G a^2 takes the place of 2b a G; for an outline a is its c.
-template <class Scalar>
-StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const PatchContact<Scalar>& contact,
-                         std::type_identity_t<Scalar> speed) {
-    return detail::in_si<Scalar>(dimensionless, contact.half_length(), contact.half_length(), contact.shear_modulus(),
-                                 speed);
-}
+StateSpace in_si(const StateSpace& dimensionless, const PatchContact& contact, double speed);
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/state_space.ipp"
+#endif

@@ -3,6 +3,8 @@
 // allocation in a step.
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,28 +20,97 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/integrator.hpp"
-#include "../rolling/rolling_step.hpp"
-#include "../rolling/stage_equations.hpp"
-#include "../rolling/time_step.hpp"
+#include "../rolling/detail/stage_equations.hpp"
+#include "../rolling/detail/stage_table.hpp"
+#include "../rolling/detail/time_step.hpp"
+#include "../rolling/run.hpp"
 #include "../scene/contact.hpp"
-#include "../scene/contact_units.hpp"
+#include "../scene/detail/contact_units.hpp"
+#include "../scene/detail/directions.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../scene/semi_axes.hpp"
 #include "../status.hpp"
-#include "../system/contact_fit.hpp"
-#include "../system/element_blocks.hpp"
+#include "../system/detail/contact_fit.hpp"
+#include "../system/detail/time_domain.hpp"
 #include "../system/rolling_system.hpp"
-#include "../system/stability_verdict.hpp"
-#include "../system/time_domain.hpp"
+#include "../types.hpp"
 #include "detail/rational_exponential.hpp"
-#include "state.hpp"
-#include "workspace.hpp"
+#include "detail/stages.hpp"
+#include "detail/step_map.hpp"
 
 namespace rollbem {
 
+/// Everything that the next step needs to know about the past. A copy is a checkpoint; a state written to a file and
+/// read back continues identically to the last bit.
+struct AdhesionState {
+    VectorX<double> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
+    std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
+    double half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
+    /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and changes
+    /// results by round-off only.
+    double distance = 0;
+    double half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
+};
+
+/// Result of a step or of steady rolling. NaN unless the status is ok. With one direction forces and their derivatives
+/// are numbers, with two TangentialForce and CreepageTangent.
+template <int directions = 1>
+struct AdhesionStep {
+    using Force = detail::ForceAlong<directions>;
+    using Tangent = detail::TangentAlong<directions>;
+
+    Force force = detail::nothing<Force>();            ///< 2b F_bar on body 1 [N]
+    Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
+    /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
+    Tangent tangent = detail::nothing<Tangent>();
+    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steady
+    /// rolling, for steps without a given half-length, and if the model cannot breathe.
+    Force tangent_by_half_length = detail::nothing<Force>();
+    /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
+    /// FrictionStep::tangent_by_load.
+    Force tangent_by_half_width = detail::nothing<Force>();
+    Status status = Status::not_finite;
+};
+
+/// A workspace is made by a model and fits any model with the same number of unknowns and directions. The matrices for
+/// steps of one distance are kept as long as model and distance stay the same, so contacts that are stepped in turn
+/// should each have their own workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
+template <int directions = 1>
+class AdhesionWorkspace {
+public:
+    /// A workspace for n unknowns.
+    explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
+
+    Eigen::Index size() const { return factors_.size(); }
+
+    detail::StageFactors& factors() { return factors_; }              ///< for the models
+    detail::AdhesionStages<directions>& stages() { return stages_; }  ///< for the models
+    detail::StepMap<directions>& map() { return map_; }               ///< for the models
+
+private:
+    detail::StageFactors factors_;
+    detail::AdhesionStages<directions> stages_;
+    detail::StepMap<directions> map_;
+};
+
 /// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin,
 /// where the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. SI units.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const AdhesionModel<> model(contact, rolling_system(Chebyshev{8}, StripKernel<double>::longitudinal(contact)),
+///                                 unchecked);  // Chebyshev states are stable for any number
+///     Run run(model);
+///     for (int k = 0; k < 20; ++k) {
+///         if (run.advance({0.5e-3, 1e-4}).status != Status::ok) return 1;  // rolls by 0.5 mm at a creepage of 1e-4
+///     }
+///     return model.force(run.now()) < 0 ? 0 : 1;  // [N]
+/// }
+/// \endcode
 ///
 /// A step of the same distance as the step before costs one product of an n x n matrix and a vector; the first step
 /// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
@@ -56,7 +127,7 @@ namespace rollbem {
 ///     const auto system = rolling_system(mesh, scheme, kernel);
 ///     const AdhesionModel model(contact, system, judge_stability(system));
 ///     AdhesionWorkspace<> workspace = model.workspace();
-///     AdhesionState<> now = model.at_rest(), next = now;
+///     AdhesionState now = model.at_rest(), next = now;
 ///     const AdhesionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // now stays as it is
 ///     if (accepted) std::swap(now, next);
 ///
@@ -65,21 +136,19 @@ namespace rollbem {
 ///     const ElementSystem system(longitudinal, lateral);
 ///     const AdhesionModel model(contact, system, judge_stability(system.joined()));
 ///     const AdhesionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
-template <int directions_ = 1, class Scalar_ = double>
+template <int directions_ = 1>
 class AdhesionModel {
 public:
-    using Scalar = Scalar_;
     static constexpr int directions = directions_;
-    using State = AdhesionState<Scalar>;
-    using Step = AdhesionStep<directions, Scalar>;
-    using Workspace = AdhesionWorkspace<directions, Scalar>;
-    using Force = typename Step::Force;                       ///< a number, or TangentialForce
-    using Value = detail::CreepageAlong<directions, Scalar>;  ///< a number, or Creepage
+    using State = AdhesionState;
+    using Step = AdhesionStep<directions>;
+    using Workspace = AdhesionWorkspace<directions>;
+    using Force = typename Step::Force;               ///< a number, or TangentialForce
+    using Value = detail::CreepageAlong<directions>;  ///< a number, or Creepage
     using Motion = RigidMotion<Value>;
     /// The load is the half-length [m] (with two directions the semi-axes [m]) at the end of the step; if none is
     /// given, the state's remains.
-    using RollingStep =
-        rollbem::RollingStep<Motion, std::optional<detail::ByDirections<directions, Scalar, SemiAxes<Scalar>>>>;
+    using RollingStep = rollbem::RollingStep<Motion, std::optional<detail::ByDirections<directions, double, SemiAxes>>>;
 
     /// A line contact. With one direction, creepage and force act along the direction of the system's kernel; with two,
     /// the inputs are the three numbers of a Creepage, as both_directions() makes them. `verdict` judges `system`, or
@@ -88,7 +157,7 @@ public:
     /// - if steady rolling shows that the scheme does not converge (Status::assists_creepage),
     /// - if the contact's half-width is infinite or differs from the half-width of the system's kernel,
     /// - if the system has another number of inputs than 1, or 3 with two directions.
-    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
+    AdhesionModel(const Contact& contact, RollingSystem<double> system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
@@ -98,10 +167,10 @@ public:
     /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
     /// the verdict on system.joined(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
-    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
+    AdhesionModel(const AnyContact& contact, const ElementSystem<double, 2>& system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(directions == 2)
         : AdhesionModel(Units(contact), system.joined(), integrator) {
-        if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
+        if constexpr (std::is_same_v<AnyContact, Contact>) {
             detail::require_same_aspect(name, contact, system);
         } else {
             detail::require_same_shape(name, contact, system);
@@ -125,7 +194,7 @@ public:
     }
 
     /// The state without traction, at the contact's semi-axes.
-    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
+    State at_rest() const { return {VectorX<double>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
     Workspace workspace() const { return Workspace(size()); }
 
     /// The force 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
@@ -154,19 +223,19 @@ public:
     Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
 private:
-    using Inputs = detail::InputVector<directions, Scalar>;
-    using Square = detail::InputMatrix<directions, Scalar>;
-    using Axes = SemiAxes<Scalar>;
+    using Inputs = detail::InputVector<directions>;
+    using Square = detail::InputMatrix<directions>;
+    using Axes = SemiAxes;
     using By = detail::Parameters<directions>;
-    using Units = detail::ContactUnits<Scalar>;
-    using Stages = detail::AdhesionStages<directions, Scalar>;
+    using Units = detail::ContactUnits;
+    using Stages = detail::AdhesionStages<directions>;
 
     static constexpr const char* name = "AdhesionModel";
-    static constexpr Axes contact_axes = detail::contact_axes<Scalar>;
+    static constexpr Axes contact_axes = detail::contact_axes;
 
-    static Force force_along(const Inputs& forces) { return detail::force_along<directions, Scalar>(forces); }
+    static Force force_along(const Inputs& forces) { return detail::force_along<directions>(forces); }
 
-    AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
+    AdhesionModel(const Units& units, RollingSystem<double> system, Integrator integrator);
 
     // Identifies the data that a workspace prepares for model and integrator. Matrices of shapes have a number of their
     // own because they differ by rounding from the matrices of a fixed mesh.
@@ -174,19 +243,19 @@ private:
         return fingerprint_ ^ (2 * static_cast<std::uint64_t>(integrator_) + (of_shapes ? 3 : 2));
     }
 
-    bool is_exponential() const { return !detail::stage_table<Scalar>(integrator_); }
+    bool is_exponential() const { return !detail::stage_table(integrator_); }
 
     // The number of times to halve the step until the norm of w is at most 1/16, where r(w) of eighth order gives e^w
     // to rounding. The upper limit matters only if G is singular to rounding: the modes it affects decay at once.
-    int count_doublings(Scalar h) const {
+    int count_doublings(double h) const {
         if (!is_exponential() || !(h > 0)) return 0;
-        const Scalar norm = 16 * h * rates_norm_;
+        const double norm = 16 * h * rates_norm_;
         return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
     }
 
-    static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
+    static void solve(MatrixX<double> matrix, MatrixX<double>& right);
 
-    Status check(const State& from, const SemiAxes<Scalar>& semi_axes, const State& to,
+    Status check(const State& from, const SemiAxes& semi_axes, const State& to,
                  const Workspace& workspace) const noexcept {
         const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
                           to.traction.size() == size() && workspace.size() == size() &&
@@ -194,13 +263,13 @@ private:
         if (!fits) return Status::wrong_state;
         return are_lengths(semi_axes) ? Status::ok : Status::invalid_load;
     }
-    Status check_growth(Scalar distance, const Axes& start, const Axes& end) const noexcept {
+    Status check_growth(double distance, const Axes& start, const Axes& end) const noexcept {
         return detail::check_growth(can_breathe(), system_.half_length_limit(), shapes_.get(), a_over_b_, distance,
                                     start, end);
     }
 
-    bool are_lengths(const SemiAxes<Scalar>& axes) const noexcept {
-        return detail::are_positive<Scalar>({axes.half_length, units_.line ? Scalar(1) : axes.half_width});
+    bool are_lengths(const SemiAxes& axes) const noexcept {
+        return detail::are_positive({axes.half_length, units_.line ? 1.0 : axes.half_width});
     }
     template <class Placed>
     Axes axes(const Placed& placed) const {
@@ -218,7 +287,7 @@ private:
     }
 
     // Completes `to`, whose tractions are known, and returns the result.
-    Step finish(const State& from, const SemiAxes<Scalar>& semi_axes, Scalar dq, const Square& tangent,
+    Step finish(const State& from, const SemiAxes& semi_axes, double dq, const Square& tangent,
                 State& to) const noexcept {
         to.half_length = semi_axes.half_length;
         to.half_width = semi_axes.half_width;
@@ -242,15 +311,15 @@ private:
         return step;
     }
 
-    using TimeStep = detail::TimeStep<directions, Scalar>;
-    using Problem = detail::AdhesionProblem<directions, Scalar>;
+    using TimeStep = detail::TimeStep<directions>;
+    using Problem = detail::AdhesionProblem<directions>;
 
     // The semi-axes at the end of a step.
-    SemiAxes<Scalar> semi_axes(const State& from, const RollingStep& step) const noexcept {
+    SemiAxes semi_axes(const State& from, const RollingStep& step) const noexcept {
         if constexpr (directions == 1) {
             return {step.load.value_or(from.half_length), from.half_width};
         } else {
-            return step.load.value_or(SemiAxes<Scalar>{from.half_length, from.half_width});
+            return step.load.value_or(SemiAxes{from.half_length, from.half_width});
         }
     }
     // Whether a step needs the equations of other semi-axes than the contact's.
@@ -258,7 +327,7 @@ private:
         return shapes_ && (problem.asked[By::half_length] || step.start != contact_axes || step.end != contact_axes);
     }
     // Takes a step by the linear map for its distance.
-    Step repeat(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
+    Step repeat(const State& from, double dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
     // Takes a step by the stages of the integrator.
     Step solve_stages(const State& from, const RollingStep& step, const TimeStep& rolled, const Problem& problem,
                       State& to, Workspace& workspace) const noexcept;
@@ -266,165 +335,26 @@ private:
     void add_tangents(const Problem& problem, const Stages& stages, const State& to, Step& step) const;
 
     Units units_;
-    RollingSystem<Scalar> system_;
+    RollingSystem<double> system_;
     std::uint64_t fingerprint_;
     Integrator integrator_;
-    detail::RationalExponential<Scalar> rational_;
-    detail::RigidSlip<directions, Scalar> slip_;
-    detail::ContactForces<directions, Scalar> forces_;
-    MatrixX<Scalar> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
-    Scalar rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
-    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // matrices of a patch that may change its semi-axes
-    Scalar a_over_b_ = 1;
+    detail::RationalExponential rational_;
+    detail::RigidSlip<directions> slip_;
+    detail::ContactForces<directions> forces_;
+    MatrixX<double> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
+    double rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
+    std::shared_ptr<const detail::ShapeSet<double>> shapes_;  // matrices of a patch that may change its semi-axes
+    double a_over_b_ = 1;
 };
 
-template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
-    -> AdhesionModel<1, Scalar>;
-template <class AnyContact, class Scalar>
-AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
-              Integrator = Integrator::sdirk2) -> AdhesionModel<2, Scalar>;
-
-template <int directions_, class Scalar_>
-AdhesionModel<directions_, Scalar_>::AdhesionModel(const Units& units, RollingSystem<Scalar> system,
-                                                   Integrator integrator)
-    : units_(units),
-      system_(std::move(system)),
-      fingerprint_(units.fingerprint ^ system_.fingerprint()),
-      integrator_(integrator),
-      rational_(integrator),
-      slip_(units_, system_.inputs(), units_.shear_modulus),
-      forces_(units_, system_.outputs(), units_.shear_modulus),
-      steady_(slip_.columns()) {
-    detail::require(system_.input_count() == detail::input_count<directions>, name, "number of inputs",
-                    system_.input_count(), directions == 1 ? "be 1" : "be 3");
-    solve(system_.G_prime(), steady_);
-    if (!is_exponential()) return;
-    MatrixX<Scalar> rates = system_.G_prime();
-    solve(system_.G(), rates);
-    rates_norm_ = rates.cwiseAbs().colwise().sum().maxCoeff();
-}
-
-template <int directions_, class Scalar_>
-void AdhesionModel<directions_, Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
-    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
-    const detail::MatrixRef<Scalar> factors(matrix);
-    detail::factorise_in_place<Scalar>(factors, swaps.data());
-    for (Eigen::Index j = 0; j < right.cols(); ++j) {
-        detail::solve_in_place<Scalar>(factors, swaps.data(), right.col(j));
-    }
-}
-
-template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::steady(const Value& creepage) const -> State {
-    const Inputs value = detail::in_order(creepage);
-    for (const Scalar component : value) {
-        detail::require_finite(name, "creepage", component);
-    }
-    State state = at_rest();
-    state.traction.noalias() = steady_ * value;
-    return state;
-}
-
-template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::steady(const State& from, const RollingStep& step, State& to,
-                                                 Workspace& workspace) const noexcept -> Step {
-    const SemiAxes<Scalar> end = semi_axes(from, step);
-    const Axes at = axes(end);
-    Status status = check(from, end, to, workspace);
-    if (status == Status::ok && step.motion.is_shift()) status = Status::invalid_step;
-    if (status == Status::ok) status = check_growth(Scalar(0), at, at);
-    if (status == Status::ok) status = step.motion.check_rows(0);
-    if (status != Status::ok) return detail::failed<Step>(status);
-    const Inputs value = detail::in_order(step.motion.end());
-    to.traction.setZero();
-    if constexpr (directions == 2) {
-        if (shapes_ && at != contact_axes) {
-            const auto stage = detail::RollingStage<Scalar>::steadily(at);
-            Stages& stages = workspace.stages();
-            stages.solve_steady(preparation(true), {*shapes_, a_over_b_, stage}, slip_, workspace.factors());
-            const auto per_creepage = [&](std::size_t j) -> const VectorX<Scalar>& { return stages.response(j); };
-            for (std::size_t j = 0; j < By::creepages; ++j) {
-                to.traction += value[static_cast<Eigen::Index>(j)] * per_creepage(j);
-            }
-            return finish(from, end, 0, forces_of(per_creepage, at), to);
-        }
-    }
-    const auto per_creepage = [&](std::size_t j) { return steady_.col(static_cast<Eigen::Index>(j)); };
-    for (Eigen::Index j = 0; j < value.size(); ++j) to.traction += value[j] * steady_.col(j);
-    return finish(from, end, 0, forces_of(per_creepage, at), to);
-}
-
-template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::advance(const State& from, const RollingStep& step, State& to,
-                                                  Workspace& workspace) const noexcept -> Step {
-    const SemiAxes<Scalar> end = semi_axes(from, step);
-    const Scalar dq = step.travel.dq;
-    const Status possible = detail::check_step(check(from, end, to, workspace), step.motion, dq, 0,
-                                               [&] { return check_growth(dq / units_.length, axes(from), axes(end)); });
-    if (possible != Status::ok) return detail::failed<Step>(possible);
-    const bool by_axes = step.load && can_breathe();
-    const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
-    if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
-    const TimeStep rolled{step.motion, units_.length,      axes(from),
-                          axes(end),   dq / units_.length, *detail::stage_table<Scalar>(integrator_)};
-    Problem problem{preparation(), from.traction, slip_, workspace.factors()};
-    problem.asked[By::half_length] = by_axes;
-    if constexpr (directions == 2) problem.asked[By::half_width] = by_axes && shapes_ && !shapes_->is_single();
-    const bool reshaped = reshapes(rolled, problem);
-    if (repeats && !reshaped) return repeat(from, dq, step.motion, to, workspace);
-    if (reshaped) problem.model = preparation(true);
-    return solve_stages(from, step, rolled, problem, to, workspace);
-}
-
-template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::repeat(const State& from, Scalar dq, const Motion& motion, State& to,
-                                                 Workspace& workspace) const noexcept -> Step {
-    const detail::ImposedMotion<directions, Scalar> imposed(motion, dq);
-    detail::StepMap<directions, Scalar>& map = workspace.map();
-    if (!map.is_of(preparation(), dq)) {
-        map.prepare({preparation(), dq, units_.length, count_doublings(dq / units_.length)}, detail::influence(system_),
-                    rational_, slip_.columns(), forces_.columns(), workspace.factors());
-    }
-    map.apply(from.traction, imposed, to.traction);
-    return finish(from, {from.half_length, from.half_width}, dq, map.tangent(imposed), to);
-}
-
-template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::solve_stages(const State& from, const RollingStep& step,
-                                                       const TimeStep& rolled, const Problem& problem, State& to,
-                                                       Workspace& workspace) const noexcept -> Step {
-    Stages& stages = workspace.stages();
-    if (reshapes(rolled, problem)) {
-        if constexpr (directions == 2) {
-            stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
-                use(detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, geometry));
-            });
-        }
-    } else {
-        stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
-            use(detail::LineEquations<RollingSystem<Scalar>>(system_, geometry));
-        });
-    }
-    to.traction = from.traction + stages.change();
-    const auto per_creepage = [&](std::size_t j) -> const VectorX<Scalar>& { return stages.response(j); };
-    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, rolled.end), to);
-    if (result.status == Status::ok) add_tangents(problem, stages, to, result);
-    return result;
-}
-
-template <int directions_, class Scalar_>
-void AdhesionModel<directions_, Scalar_>::add_tangents(const Problem& problem, const Stages& stages, const State& to,
-                                                       Step& step) const {
-    const bool keeps_shape = shapes_ && shapes_->is_single();
-    for (std::size_t j = By::half_length; j < By::count; ++j) {
-        if (!problem.asked[j]) continue;
-        auto& tangent = j == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
-        tangent = force_along(forces_.rate(to.traction, stages.response(j), axes(to), By::axis(j), keeps_shape));
-    }
-    if constexpr (directions == 2) {
-        if (keeps_shape && problem.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
-    }
-}
+AdhesionModel(const Contact&, RollingSystem<double>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
+    ->AdhesionModel<1>;
+template <class AnyContact>
+AdhesionModel(const AnyContact&, const ElementSystem<double, 2>&, const StabilityVerdict&,
+              Integrator = Integrator::sdirk2) -> AdhesionModel<2>;
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/transient.tpp"
+#endif

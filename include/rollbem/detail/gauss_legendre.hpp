@@ -52,3 +52,9 @@ QuadratureRule<Scalar> gauss_legendre(Eigen::Index count) {
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template detail::QuadratureRule<double> detail::gauss_legendre<double>(Eigen::Index);
+}  // namespace rollbem
+#endif

@@ -212,3 +212,17 @@ void invert_factors(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Matri
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template void detail::eliminate_in_place<double>(detail::MatrixRef<double>, Eigen::Index*, Eigen::Index);
+extern template void detail::eliminate_vector_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                               Eigen::Index, detail::VectorRef<double>);
+extern template void detail::substitute_in_place<double>(const detail::MatrixRef<double>&, Eigen::Index,
+                                                         detail::VectorRef<double>);
+extern template void detail::solve_columns_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                            detail::MatrixRef<double>);
+extern template void detail::invert_factors<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                    detail::MatrixRef<double>);
+}  // namespace rollbem
+#endif

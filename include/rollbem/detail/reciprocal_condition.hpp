@@ -113,3 +113,10 @@ typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Fa
 inline constexpr double least_rcond_of_G_prime = 1e-4;
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template double detail::reciprocal_condition<Eigen::PartialPivLU<Eigen::MatrixXd>>(
+    const Eigen::PartialPivLU<Eigen::MatrixXd>&, double);
+}  // namespace rollbem
+#endif

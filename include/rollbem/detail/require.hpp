@@ -88,3 +88,11 @@ void require_square(const char* who, const char* name, const Matrix& matrix, std
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template void detail::require<double>(bool, const char*, const char*, double, const char*);
+extern template void detail::require<std::ptrdiff_t>(bool, const char*, const char*, std::ptrdiff_t, const char*);
+extern template void detail::require<int>(bool, const char*, const char*, int, const char*);
+}  // namespace rollbem
+#endif

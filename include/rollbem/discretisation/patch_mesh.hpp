@@ -3,6 +3,8 @@
 // and strip by strip from small to large y, piece by piece where several patches are one mesh.
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "../detail/require.hpp"
-#include "../scene/outline.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "mesh.hpp"
@@ -26,6 +27,16 @@ struct Rectangle {
 
 /// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
 /// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchMesh<double> mesh = ellipse_mesh(1.5, cosine_mesh(8), uniform_mesh(7));  // a/b = 1.5, b = 1/1.5
+///     return mesh.size() == 56 && mesh.is_mirrored() ? 0 : 1;
+/// }
+/// \endcode
 ///
 /// Invariant: m >= 1, all widths and half-lengths are positive and finite, and so are all places.
 template <class Scalar_ = double>
@@ -113,135 +124,36 @@ private:
     bool mirrored_ = false;
 };
 
-template <class Scalar>
-PatchMesh<Scalar> PatchMesh<Scalar>::joined(const std::vector<PatchMesh>& pieces) {
-    detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
-    PatchMesh whole = pieces.front();
-    for (std::size_t k = 1; k < pieces.size(); ++k) {
-        const PatchMesh& piece = pieces[k];
-        detail::require(
-            piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
-            "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
-            "be the number of the other strips, with the same edges");
-        for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_, &PatchMesh::middles_x_,
-                                &PatchMesh::half_lengths_}) {
-            Array both((whole.*part).size() + (piece.*part).size());
-            both << whole.*part, piece.*part;
-            whole.*part = std::move(both);
-        }
-    }
-    whole.check();
-    return whole;
-}
-
 /// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height, y/b =
 /// -1 ... 1. A strip is as long as the ellipse at the middle of its width, which is more accurate than the mean length
 /// over the width (docs/measured.md). Throws std::invalid_argument unless a_over_b is positive and finite.
 template <class Scalar>
-PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across) {
-    detail::require_positive("ellipse_mesh", "a_over_b", a_over_b);
-    // sqrt(1 - (y/b)^2) by the distances from both ends, without cancellation
-    return PatchMesh<Scalar>({.along = std::move(along),
-                              .edges = across.edges() / a_over_b,
-                              .middles_y = across.centres() / a_over_b,
-                              .middles_x = ArrayX<Scalar>::Zero(across.size()),
-                              .half_lengths = (across.from_trailing() * across.from_leading()).sqrt()});
-}
+PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across);
 
 /// Any outline, in units of `unit`, e.g. c. `across` divides its height, from -1 at the smallest y to 1 at the largest.
 /// A strip lies between the edges of the outline at the middle of its width.
 template <class Scalar>
-PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
-                               const Mesh<Scalar>& across) {
-    const Scalar middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
-    const Eigen::Index m = across.size();
-    const auto place = [&](Scalar t) { return middle + half_height * t; };
-    ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
-    for (Scalar& y : edges) y = place(y) / unit;
-    for (Eigen::Index j = 0; j < m; ++j) {
-        const Scalar y = place(middles[j]), trailing = outline.trailing(y), leading = outline.leading(y);
-        middles[j] = y / unit;
-        middles_x[j] = (trailing + leading) / 2 / unit;
-        half_lengths[j] = (leading - trailing) / 2 / unit;
-    }
-    return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
-}
-
-namespace detail {
-
-/// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
-/// Up to m/2 lines of the outline are edges of strips.
-template <class Scalar>
-Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
-    const ArrayX<Scalar>& y = outline.y();
-    const Eigen::Index lines = y.size();
-    const auto place = [&](Scalar at) {
-        return (2 * at - outline.low() - outline.high()) / (outline.high() - outline.low());
-    };
-    ArrayX<Scalar> run = ArrayX<Scalar>::Zero(lines);  // of both edges along x, up to each line
-    for (Eigen::Index i = 1; i < lines; ++i) {
-        run[i] = run[i - 1] + std::abs(outline.leading(y[i]) - outline.leading(y[i - 1])) +
-                 std::abs(outline.trailing(y[i]) - outline.trailing(y[i - 1]));
-    }
-    const Scalar whole = run[lines - 1];
-    const auto share = [&](Scalar at) {  // of the strips that lie below
-        const Scalar by_height = std::acos(std::clamp(-place(at), Scalar(-1), Scalar(1))) / std::numbers::pi_v<Scalar>;
-        if (!(whole > 0)) return by_height;
-        const Eigen::Index j = std::upper_bound(y.data() + 1, y.data() + lines - 1, at) - y.data();
-        const Scalar part = (at - y[j - 1]) / (y[j] - y[j - 1]);
-        return (by_height + (run[j - 1] + part * (run[j] - run[j - 1])) / whole) / 2;
-    };
-    std::vector<Scalar> edges{-1};
-    const auto add_up_to = [&](Scalar from, Scalar to) {
-        const Scalar low = share(from), high = share(to);
-        const auto count = (std::max)(Eigen::Index(1), static_cast<Eigen::Index>(std::round(Scalar(m) * (high - low))));
-        for (Eigen::Index j = 1; j < count; ++j) {
-            Scalar below = from, above = to;
-            for (int k = 0; k < 60; ++k) {
-                const Scalar middle = (below + above) / 2;
-                (share(middle) < low + (high - low) * Scalar(j) / Scalar(count) ? below : above) = middle;
-            }
-            edges.push_back(place(below));
-        }
-        edges.push_back(place(to));
-    };
-    Scalar from = outline.low();
-    const Scalar least = (outline.high() - from) / 1000;
-    if (lines - 2 <= m / 2) {
-        for (Eigen::Index i = 1; i + 1 < lines; ++i) {
-            if (y[i] - from < least || outline.high() - y[i] < least) continue;
-            add_up_to(from, y[i]);
-            from = y[i];
-        }
-    }
-    add_up_to(from, outline.high());
-    edges.back() = 1;
-    // strips that are mirror images to the last bit make two problems of half the size
-    for (std::size_t j = 0, k = edges.size() - 1; j <= k && k > 0; ++j, --k) {
-        const Scalar half = (edges[k] - edges[j]) / 2;
-        if (!(std::abs(edges[j] + edges[k]) <= Scalar(1e-6))) continue;
-        edges[k] = half;
-        edges[j] = -half;
-    }
-    return mesh_from_edges<Scalar>(Eigen::Map<const ArrayX<Scalar>>(edges.data(), Eigen::Index(edges.size())));
-}
-
-}  // namespace detail
+PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
+                               const Mesh<Scalar>& across);
 
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.
 template <class Scalar>
-PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
-    if (contact.outline()) {
-        return outline_mesh<Scalar>(*contact.outline(), contact.half_length(), std::move(along), across);
-    }
-    return ellipse_mesh<Scalar>(contact.a_over_b(), std::move(along), across);
-}
+PatchMesh<Scalar> patch_mesh(const PatchContact& contact, Mesh<Scalar> along, const Mesh<Scalar>& across);
 
 /// The mesh of a contact patch from cosine meshes of n elements a strip and m strips.
-template <class Scalar>
-PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Eigen::Index n, Eigen::Index m) {
-    return patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m));
+inline PatchMesh<double> patch_mesh(const PatchContact& contact, Eigen::Index n, Eigen::Index m) {
+    return patch_mesh(contact, cosine_mesh<double>(n), cosine_mesh<double>(m));
 }
 
 }  // namespace rollbem
+
+#include "impl/patch_mesh.tpp"
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template class PatchMesh<double>;
+extern template PatchMesh<double> patch_mesh<double>(const PatchContact&, Mesh<double>, const Mesh<double>&);
+extern template PatchMesh<double> ellipse_mesh<double>(double, Mesh<double>, const Mesh<double>&);
+}  // namespace rollbem
+#endif

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>

@@ -10,15 +10,12 @@
 #include <Eigen/Core>
 
 #include "../normal/load.hpp"
-#include "../rolling/integrator.hpp"
-#include "../rolling/rolling_step.hpp"
+#include "../rolling/run.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../system/element_blocks.hpp"
-#include "../system/stability_verdict.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "law.hpp"
 #include "state.hpp"
@@ -120,7 +117,7 @@ private:
 ///
 /// A patch, whose system has both directions and one verdict for both symmetric halves:
 ///
-///     const PatchContact<double> contact({...});
+///     const PatchContact contact({...});
 ///     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
 ///     const FrictionModel model(contact, rolling_system(mesh, scheme, kernel),
 ///                               judge_stability(patch_subsystems(mesh, scheme, kernel)),
@@ -136,11 +133,11 @@ public:
     using State = FrictionState;
     using Step = FrictionStep;
     using Workspace = FrictionWorkspace;
-    using Force = TangentialForce<double>;
-    using Motion = RigidMotion<Creepage<double>>;
+    using Force = TangentialForce;
+    using Motion = RigidMotion<Creepage>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
-    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<double>>>;
+    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad>>;
 
     /// One direction of a line contact: `direction`, 0 longitudinal or 1 lateral, is the direction of the system's
     /// kernel. Two directions of a line contact. A patch, whose half_length() is the system's unit of length. `verdict`
@@ -153,17 +150,17 @@ public:
     /// - if the law does not meet the requirements of Friction (one pressure per element of the mesh),
     /// - if the law has a memory although the points of the system's equations are unknown,
     /// - for Integrator::matrix_exponential, which cannot treat friction, and for any other direction.
-    FrictionModel(const Contact<double>& contact, ElementSystem<double> system, const StabilityVerdict& verdict,
+    FrictionModel(const Contact& contact, ElementSystem<double> system, const StabilityVerdict& verdict,
                   const Friction& friction, Integrator integrator = Integrator::sdirk2, Eigen::Index direction = 0);
-    FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
+    FrictionModel(const Contact& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
                   const Friction& friction, Integrator integrator = Integrator::sdirk2);
-    FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
+    FrictionModel(const PatchContact& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
                   const Friction& friction, Integrator integrator = Integrator::sdirk2);
     /// Models of systems without G, for steady rolling alone.
-    FrictionModel(const Contact<double>& contact, ElementSystem<double> system, const Friction& friction,
+    FrictionModel(const Contact& contact, ElementSystem<double> system, const Friction& friction,
                   Eigen::Index direction = 0);
-    FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system, const Friction& friction);
-    FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system, const Friction& friction);
+    FrictionModel(const Contact& contact, ElementSystem<double, 2> system, const Friction& friction);
+    FrictionModel(const PatchContact& contact, ElementSystem<double, 2> system, const Friction& friction);
 
     int directions() const;     ///< of creepage: 1 or 2
     Eigen::Index size() const;  ///< number of unknown elements
@@ -178,7 +175,7 @@ public:
     /// The state at rest under the pressures of the model: no traction, all elements stick, mu = mu_s(0).
     State at_rest() const;
     /// The state at rest under a load. Throws std::invalid_argument if the mesh cannot carry the load.
-    State at_rest(const NormalLoad<double>& load) const;
+    State at_rest(const NormalLoad& load) const;
     Workspace workspace() const;
 
     /// The force of a state [N]. The state must have size() elements.

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
-#include "../scene/directions.hpp"
-#include "../scene/force.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/detail/directions.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 
@@ -57,7 +57,7 @@ struct FrictionState {
 namespace detail {
 
 /// Whether both components are finite; the moment may be unknown.
-inline bool is_finite(const TangentialForce<double>& force) {
+inline bool is_finite(const TangentialForce& force) {
     return is_finite(force.longitudinal) && is_finite(force.lateral);
 }
 
@@ -68,8 +68,8 @@ inline bool is_finite(const TangentialForce<double>& force) {
 /// across its direction, and NaN as the moment and the derivatives by spin. All are NaN unless the status is ok or
 /// no_solution; tangents are NaN also if the equations of the elements are singular.
 struct FrictionStep {
-    using Force = TangentialForce<double>;
-    using Tangent = CreepageTangent<double>;
+    using Force = TangentialForce;
+    using Tangent = CreepageTangent;
 
     Force force = detail::nothing<Force>();  ///< force on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
@@ -90,7 +90,7 @@ struct FrictionStep {
     /// matrices the slip of each element's own equation is taken: first order. The heat is never negative, except with
     /// two directions and equations half an element ahead: an element that sticks ahead of a slipping one then
     /// contributes a small value of either sign.
-    double slip_work = detail::unknown<double>;
+    double slip_work = detail::not_computed;
     /// Elastic energy released by jumps of the tractions within a step [J], which slip-dependent friction permits:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
@@ -100,14 +100,14 @@ struct FrictionStep {
     /// and it is 0. For a rigid shift it is the slip work by the mean tractions of both ends minus the slip work by the
     /// tractions at the end; the balance then holds with the work of the rigid bodies by the mean force. For a steady
     /// solution it is 0.
-    double jump_work = detail::unknown<double>;
+    double jump_work = detail::not_computed;
     /// Largest violation of the friction law, the error of the equations included (with two directions an estimate).
     /// The largest of
     /// - the error of a traction, over the largest mu p_n: |p| above mu p_n, or below it where an element slips;
     /// - the error of a slip, over the largest slip without traction: any slip of a sticking element, slip along the
     ///   traction or across it;
     /// - the error of a coefficient mu that depends on slip.
-    double complementarity_residual = detail::unknown<double>;
+    double complementarity_residual = detail::not_computed;
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< Newton steps; in one direction rounds of an active set
     int path_points = 0;           ///< points of the path followed where the Newton steps do not converge, else 0

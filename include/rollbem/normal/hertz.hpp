@@ -1,182 +1,335 @@
-// Hertz's line contact of two cylinders: half-length, peak pressure, and the mean pressure of elements. The normal part
-// of a friction problem; in SI units.
+// Hertz's contacts of two bodies, a line or an ellipse: sizes, peak pressure, approach, the mean pressures of elements,
+// and loads that vary, on a mesh that breathes with the contact or on a fixed one. In SI units.
 #pragma once
+
+#include "../detail/decl.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
-#include "../detail/angle_minus_sine.hpp"
-#include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
+#include "../discretisation/patch_mesh.hpp"
 #include "../scene/contact.hpp"
+#include "../scene/patch_contact.hpp"
+#include "../status.hpp"
 #include "../types.hpp"
+#include "load.hpp"
 
 namespace rollbem {
 
 /// An elastic body. Invariant: 0 < young_modulus < inf, 0 <= poisson_ratio <= 0.5.
-template <class Scalar>
 struct ElasticBody {
-    Scalar young_modulus;  ///< E [Pa]
-    Scalar poisson_ratio;  ///< nu [-]
+    double young_modulus;  ///< E [Pa]
+    double poisson_ratio;  ///< nu [-]
 
-    Scalar shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }  ///< G [Pa]
+    double shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }  ///< G [Pa]
 };
 
 namespace detail {
 
 /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker), and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-template <class Scalar>
 struct CombinedBodies {
-    Scalar shear_modulus, poisson_ratio, compliance = 0;
+    double shear_modulus, poisson_ratio, compliance = 0;
 
     /// Throws std::invalid_argument, naming `who`, if a body breaks its invariant.
-    CombinedBodies(const char* who, const ElasticBody<Scalar>& one, const ElasticBody<Scalar>& two) {
-        for (const ElasticBody<Scalar>& body : {one, two}) {
-            require_positive(who, "young_modulus", body.young_modulus);
-            require_poisson_ratio(who, body.poisson_ratio);
-            compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
-        }
-        const Scalar compliance_1 = 1 / one.shear_modulus(), compliance_2 = 1 / two.shear_modulus();
-        const Scalar mean = (compliance_1 + compliance_2) / 2;
-        shear_modulus = 1 / mean;
-        poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / mean;
-    }
+    CombinedBodies(const char* who, const ElasticBody& one, const ElasticBody& two);
 };
 
 }  // namespace detail
 
-template <class Scalar>
-ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh);
-
 /// Hertz's pressure p0 sqrt(1 - x^2/a^2) as a PressureLaw.
-template <class Scalar_ = double>
 struct HertzPressure {
-    using Scalar = Scalar_;
+    double peak = 1;  ///< p0 [Pa]
 
-    Scalar peak = 1;  ///< p0 [Pa]
-
-    Scalar operator()(Scalar x_over_a) const { return peak * std::sqrt((1 - x_over_a) * (1 + x_over_a)); }
-    ArrayX<Scalar> operator()(const Mesh<Scalar>& mesh) const { return peak * mean_hertz_pressure(mesh); }
+    double operator()(double x_over_a) const { return peak * std::sqrt((1 - x_over_a) * (1 + x_over_a)); }
+    ArrayX<double> operator()(const Mesh<double>& mesh) const;
 };
 
 /// Two parallel cylinders pressed together: p_n(x) = p0 sqrt(1 - x^2/a^2) with a^2 = 4 P R / (pi E*),
 /// p0 = 2 P / (pi a) and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (Hertz 1882).
-template <class Scalar_ = double>
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const HertzLine line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+///     return line.peak_pressure() > 2e8 && line.contact(12e-3).width() == 24e-3 ? 0 : 1;
+/// }
+/// \endcode
 class HertzLine {
 public:
-    using Scalar = Scalar_;
-
     struct Parameters {
-        Scalar load_per_width;       ///< P [N/m], positive
-        Scalar combined_radius;      ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a concave radius is negative)
-        ElasticBody<Scalar> body_1;  ///< wheel
-        ElasticBody<Scalar> body_2;  ///< rail or road
+        double load_per_width;   ///< P [N/m], positive
+        double combined_radius;  ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a concave radius is negative)
+        ElasticBody body_1;      ///< wheel
+        ElasticBody body_2;      ///< rail or road
     };
 
     /// Throws std::invalid_argument naming the parameter that is out of range.
-    explicit HertzLine(const Parameters& parameters)
-        : parameters_(parameters), bodies_("HertzLine", parameters.body_1, parameters.body_2) {
-        detail::require_positive("HertzLine", "load_per_width", parameters.load_per_width);
-        detail::require_positive("HertzLine", "combined_radius", parameters.combined_radius);
-        half_length_ = std::sqrt(4 / std::numbers::pi_v<Scalar> * parameters.load_per_width *
-                                 parameters.combined_radius * bodies_.compliance);
-        detail::require_positive("HertzLine", "half_length", half_length_);
-        detail::require_positive("HertzLine", "peak pressure", peak_pressure());
-    }
+    explicit HertzLine(const Parameters& parameters);
 
     /// The line contact with a = 1 and p0 = `peak`, under P = pi/2 peak. Throws std::invalid_argument unless peak is
     /// positive and finite.
-    static HertzLine dimensionless(Scalar peak = 1) {
-        const ElasticBody<Scalar> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
-        return HertzLine({.load_per_width = std::numbers::pi_v<Scalar> / 2 * peak,
-                          .combined_radius = 1,
-                          .body_1 = body,
-                          .body_2 = body});
-    }
+    static HertzLine dimensionless(double peak = 1);
 
-    Scalar load_per_width() const { return parameters_.load_per_width; }  ///< P [N/m]
-    Scalar half_length() const { return half_length_; }                   ///< a [m]
-    Scalar peak_pressure() const {                                        ///< p0 [Pa]
-        return 2 / std::numbers::pi_v<Scalar> * parameters_.load_per_width / half_length_;
+    double load_per_width() const { return parameters_.load_per_width; }  ///< P [N/m]
+    double half_length() const { return half_length_; }                   ///< a [m]
+    double peak_pressure() const {                                        ///< p0 [Pa]
+        return 2 / std::numbers::pi * parameters_.load_per_width / half_length_;
     }
 
     /// Exact mean pressure of each element of a mesh [Pa]: the pressures carry the load P on any mesh.
-    ArrayX<Scalar> mean_pressure(const Mesh<Scalar>& mesh) const;
+    ArrayX<double> mean_pressure(const Mesh<double>& mesh) const;
 
     /// The pressure at every point, p0 sqrt(1 - x^2) with x in units of a.
-    HertzPressure<Scalar> pressure() const { return {peak_pressure()}; }
+    HertzPressure pressure() const { return {peak_pressure()}; }
 
     /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
     /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). If the bodies are elastically dissimilar,
     /// the pressure itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless
     /// half_width > 0.
-    Contact<Scalar> contact(Scalar half_width) const {
-        return Contact<Scalar>({half_length_, half_width, bodies_.shear_modulus, bodies_.poisson_ratio});
+    Contact contact(double half_width) const {
+        return Contact({half_length_, half_width, bodies_.shear_modulus, bodies_.poisson_ratio});
     }
 
 private:
     Parameters parameters_;
-    detail::CombinedBodies<Scalar> bodies_;
-    Scalar half_length_;
+    detail::CombinedBodies bodies_;
+    double half_length_;
 };
+
+/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in units of a): Hertz's pressure over its peak.
+ArrayX<double> mean_hertz_pressure(const Mesh<double>& mesh);
 
 namespace detail {
 
-/// A part of the interval -1 ... 1: the distances of its two ends from -1 (trailing) and from 1 (leading), and its
-/// width.
-template <class Scalar>
-struct UnitStretch {
-    Scalar trailing_1, leading_1;
-    Scalar trailing_2, leading_2;
-    Scalar width;
+/// Pressures of elements [Pa], and their derivatives with respect to the load [Pa/N].
+struct ElementPressures {
+    ArrayX<double> mean, rate;
 };
-
-/// Integrals over a part of the interval of sqrt(1 - x^2) and of 1/sqrt(1 - x^2); the second is the angle of the part,
-/// pi in total.
-template <class Scalar>
-struct SemicircleIntegrals {
-    Scalar area, angle;
-};
-
-/// The integrals without cancellation at the edges: with x = -cos(theta), mean m and half difference h of theta, the
-/// area is (h - sin h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
-template <class Scalar>
-SemicircleIntegrals<Scalar> integrate_semicircle(const UnitStretch<Scalar>& stretch) {
-    // sines and cosines of theta/2 at both ends are square roots of half the distances from the ends of the contact
-    const Scalar sine_1 = std::sqrt(stretch.trailing_1 / 2), cosine_1 = std::sqrt(stretch.leading_1 / 2);
-    const Scalar sine_2 = std::sqrt(stretch.trailing_2 / 2), cosine_2 = std::sqrt(stretch.leading_2 / 2);
-    const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
-    const Scalar sine_half = stretch.width / (2 * sine_mean);
-    const Scalar cosine_half = cosine_1 * cosine_2 + sine_1 * sine_2;
-    const Scalar half = std::atan2(sine_half, cosine_half);
-    const Scalar half_minus_sine = angle_minus_sine(half, sine_half);
-    // 1 - cos(h) cos(2m) = (1 - cos h) + 2 cos(h) sin^2 m
-    const Scalar versine = sine_half * sine_half / (1 + cosine_half);
-    return {half_minus_sine + sine_half * (versine + 2 * cosine_half * sine_mean * sine_mean), 2 * half};
-}
 
 }  // namespace detail
 
-/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in units of a): Hertz's pressure over its peak.
-template <class Scalar>
-ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
-    const Eigen::Index n = mesh.size();
-    const auto& trailing = mesh.edges_from_trailing();
-    const auto& leading = mesh.edges_from_leading();
-    ArrayX<Scalar> mean(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Scalar width = mesh.widths()[i];
-        mean[i] =
-            detail::integrate_semicircle<Scalar>({trailing[i], leading[i], trailing[i + 1], leading[i + 1], width})
-                .area /
-            width;
-    }
-    return mean;
-}
+/// Two smooth bodies pressed together: p_n = p0 sqrt(1 - x^2/a^2 - y^2/b^2), N = 2 pi a b p0/3 (Hertz 1882; Johnson,
+/// Contact Mechanics, 1985, section 4.2). Half-spaces: a and b small against all radii.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const double flat = std::numeric_limits<double>::infinity();
+///     const HertzEllipse ellipse(
+///         {.load = 80e3, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel});
+///     return ellipse.contact().a_over_b() > 1 && ellipse.peak_pressure() > 1e9 ? 0 : 1;
+/// }
+/// \endcode
+class HertzEllipse {
+public:
+    /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite
+    /// if flat, never zero.
+    struct Radii {
+        double rolling;  ///< radius in the plane of the rolling direction x
+        double lateral;  ///< radius in the plane across it
+    };
 
-template <class Scalar>
-ArrayX<Scalar> HertzLine<Scalar>::mean_pressure(const Mesh<Scalar>& mesh) const {
-    return peak_pressure() * mean_hertz_pressure(mesh);
-}
+    struct Parameters {
+        double load;         ///< N [N], positive
+        Radii radii_1;       ///< radii of the wheel
+        Radii radii_2;       ///< radii of the rail
+        double angle = 0;    ///< turn of the planes of radii_2 about z, from x to y [rad]
+        ElasticBody body_1;  ///< wheel
+        ElasticBody body_2;  ///< rail
+    };
+
+    using Pressures = detail::ElementPressures;
+
+    /// Throws std::invalid_argument naming the parameter that is out of range, or if the bodies do not separate in all
+    /// directions: both principal curvatures of the gap must be positive.
+    explicit HertzEllipse(const Parameters& parameters);
+
+    double load() const { return load_; }          ///< N [N]
+    double half_length() const { return a_; }      ///< a [m], the semi-axis within 45 degrees of the rolling direction
+    double half_width() const { return b_; }       ///< b [m]
+    double approach() const { return approach_; }  ///< approach of distant points of both bodies [m]
+    /// Angle by which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the
+    /// principal planes of both bodies agree, or for a circle.
+    double turn() const { return turn_; }
+    double peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi * a_ * b_); }  ///< p0 [Pa]
+
+    /// The ellipse of the same load, area and pressures that rolls along its axis a. It replaces a turned ellipse in
+    /// contact(), HertzPatchLoad and CreepForceTable; see rolling_ellipse(), which has its derivatives.
+    HertzEllipse along_rolling() const;
+
+    /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
+    /// if the ellipse is turned from the rolling direction: then use along_rolling().
+    PatchContact contact() const;
+
+    /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
+    /// std::invalid_argument unless the load, sizes and peak pressure are positive and finite.
+    HertzEllipse under(double load) const;
+
+    /// d a/dN, d b/dN [m/N] and d approach/dN [m/N].
+    double half_length_rate() const { return a_ / (3 * load_); }
+    double half_width_rate() const { return b_ / (3 * load_); }
+    double approach_rate() const { return 2 * approach_ / (3 * load_); }
+
+    /// Mean pressures of elements in coordinates along the axes a and b, scaled so that they carry the load exactly:
+    /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument if a rectangle has no area,
+    /// or unless they cover nine tenths of the load.
+    Pressures pressures(const std::vector<Rectangle<double>>& elements) const;
+
+private:
+    static double curvature(double radius, const char* name);
+
+    // Loads, radii and moduli may be so large or small that sizes or pressures overflow.
+    void check() const;
+
+    double load_, a_ = 0, b_ = 0, approach_ = 0, turn_ = 0;
+    detail::CombinedBodies bodies_;
+};
+
+/// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load
+/// N [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for
+/// an outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
+ArrayX<double> hertz_pressures(const PatchContact& contact, const std::vector<Rectangle<double>>& elements,
+                               double load);
+
+/// The mean pressures [Pa] of the elements of the patch's mesh.
+ArrayX<double> hertz_pressures(const PatchContact& contact, const PatchMesh<double>& mesh, double load);
+
+/// Makes the NormalLoad of a load per width P [N/m], for two cylinders with the radius and moduli of a HertzLine.
+///
+///     const HertzLoad hertz = HertzLoad::breathing(line, mesh);
+///     NormalLoad load = hertz.at(line.load_per_width());
+///     hertz.set(load_per_width, load);                                   // no allocation
+///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
+///     const auto by_load =
+///         step.tangent_by_load + hertz.half_length_rate(load_per_width) * step.tangent_by_half_length;
+class HertzLoad {
+public:
+    /// The mesh follows the contact: half-length a(P), the shape of the pressures constant.
+    static HertzLoad breathing(const HertzLine& line, const Mesh<double>& mesh) {
+        return HertzLoad(line, mesh, std::nullopt);
+    }
+
+    /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of the
+    /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
+    /// 0 < half_length < inf.
+    static HertzLoad fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length);
+
+    bool breathes() const { return !fixed_; }
+
+    /// a [m] of the contact under P [N/m] >= 0.
+    double half_length(double load_per_width) const;
+
+    /// d NormalLoad::half_length / dP [m^2/N]: da/dP if the mesh breathes, 0 if it is fixed.
+    double half_length_rate(double load_per_width) const;
+
+    /// Sets pressures, their derivatives with respect to P, and the half-length of the mesh. A fixed mesh without load,
+    /// P = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also returns, if P
+    /// is negative or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh that breathes: it
+    /// would have no length.
+    Status set(double load_per_width, NormalLoad& load) const noexcept;
+
+    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
+    NormalLoad at(double load_per_width) const;
+
+private:
+    HertzLoad(const HertzLine& line, const Mesh<double>& mesh, const std::optional<double>& half_length)
+        : line_(line), mesh_(mesh), mean_(mean_hertz_pressure(mesh)), fixed_(half_length) {}
+
+    Eigen::Index size() const { return mesh_.size(); }
+
+    // Sets the load of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
+    void cover(double load_per_width, double a, NormalLoad& load) const noexcept;
+
+    HertzLine line_;
+    Mesh<double> mesh_;
+    ArrayX<double> mean_;
+    std::optional<double> fixed_;  // half-length of a fixed mesh [m]
+};
+
+/// The smallest ellipse [m] that the fixed mesh of a contact resolves, three strips wide and three elements long in the
+/// middle of the mesh. On narrower ellipses forces are too large (docs/patch.md).
+SemiAxes least_resolved(const PatchContact& contact, const PatchMesh<double>& mesh);
+
+/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as after
+/// HertzEllipse::along_rolling().
+///
+///     const HertzPatchLoad hertz = HertzPatchLoad::breathing(ellipse, contact, mesh);
+///     NormalLoad load = hertz.at(ellipse.load());
+///     hertz.set(N, load);                                       // no allocation
+///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
+///     const auto by_load = step.tangent_by_load + hertz.half_length_rate(N) * step.tangent_by_half_length +
+///                          hertz.half_width_rate(N) * step.tangent_by_half_width;
+///     hertz.set(HertzEllipse(radii), load);  // other radii
+class HertzPatchLoad {
+public:
+    /// The mesh, made for `contact`, follows the ellipse: semi-axes a(N) and b(N), the shape of the pressures constant.
+    /// Throws std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
+    static HertzPatchLoad breathing(const HertzEllipse& ellipse, const PatchContact& contact,
+                                    const PatchMesh<double>& mesh) {
+        return HertzPatchLoad(ellipse, contact, mesh, false);
+    }
+
+    /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws
+    /// std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
+    static HertzPatchLoad fixed(const HertzEllipse& ellipse, const PatchContact& contact,
+                                const PatchMesh<double>& mesh) {
+        return HertzPatchLoad(ellipse, contact, mesh, true);
+    }
+
+    bool breathes() const { return !fixed_; }
+
+    /// a and b [m] of the ellipse under N [N] >= 0.
+    SemiAxes semi_axes(double load) const;
+
+    /// Derivatives of the semi-axes of the mesh by N [m/N]: 0 if it is fixed.
+    double half_length_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
+    double half_width_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
+
+    /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A
+    /// fixed mesh without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting
+    /// `load` also returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on
+    /// a mesh that follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under
+    /// N > 0 is smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an integral for each
+    /// element.
+    Status set(double load, NormalLoad& result) const noexcept { return set(load, semi_axes(load), result); }
+
+    /// Sets pressures for other bodies, radii or load; the status is also invalid_load if their axes do not lie along x
+    /// and y.
+    Status set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept;
+
+    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is invalid_load.
+    NormalLoad at(double load) const;
+
+private:
+    HertzPatchLoad(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh, bool fixed);
+
+    Eigen::Index size() const { return shape_.size(); }
+
+    Status set(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
+
+    bool is_covered(const SemiAxes& ellipse) const;
+
+    Status cover(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
+
+    HertzEllipse ellipse_;
+    SemiAxes axes_;   // semi-axes for which the mesh was made
+    SemiAxes least_;  // smallest semi-axes that a fixed mesh resolves
+    std::vector<Rectangle<double>> elements_;
+    ArrayX<double> shape_;  // pressures for N = a b = 1
+    bool fixed_;
+};
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/hertz.ipp"
+#endif

@@ -13,8 +13,7 @@ namespace rollbem {
 namespace detail {
 
 /// Whether all values are pressures: finite and not negative.
-template <class Scalar>
-bool all_pressures(const ArrayX<Scalar>& values) noexcept {
+inline bool all_pressures(const ArrayX<double>& values) noexcept {
     return all_finite(values) && (values.size() == 0 || !(values.minCoeff() < 0));
 }
 
@@ -22,20 +21,17 @@ bool all_pressures(const ArrayX<Scalar>& values) noexcept {
 
 /// The normal load of a contact at one instant. The user keeps and overwrites it, so that no step allocates. Elements
 /// without pressure carry no traction: contact may come and go element by element, and all pressures may be zero.
-template <class Scalar_ = double>
 struct NormalLoad {
-    using Scalar = Scalar_;
-
     /// p_n [Pa], the mean of each of the mesh's elements, trailing to leading; finite, not negative, zero where there
     /// is no contact.
-    ArrayX<Scalar> normal_pressure;
-    Scalar half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
+    ArrayX<double> normal_pressure;
+    double half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
     /// d p_n / d load of each element at constant half-length, for the tangent with respect to the load, in any unit of
     /// load. May be empty if this tangent is not needed.
-    ArrayX<Scalar> pressure_rate;
+    ArrayX<double> pressure_rate;
     /// b [m] of an elliptic patch, positive and finite. 0 stands for the state's half-width, only where it cannot have
     /// changed: on a line contact, and on a patch whose half-length equals the state's.
-    Scalar half_width = 0;
+    double half_width = 0;
 
     /// Whether the load fits a mesh of `element_count` elements: ok or invalid_load.
     Status check(Eigen::Index element_count) const noexcept {

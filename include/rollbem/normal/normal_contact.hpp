@@ -30,6 +30,21 @@ struct CellGrid {
 
 /// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Its memory is kept from one
 /// solution to the next.
+///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const CellGrid grid{.nx = 21, .ny = 21, .x_0 = -1e-2, .y_0 = -1e-2, .dx = 1e-3, .dy = 1e-3};
+///     Eigen::ArrayXXd h(21, 21);  // a sphere of radius 0.5 m on a plane
+///     for (Eigen::Index j = 0; j < 21; ++j) {
+///         for (Eigen::Index i = 0; i < 21; ++i) h(i, j) = (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)) / 2 / 0.5;
+///     }
+///     NormalContact contact(0.72 / 8.2e10);  // (1 - nu)/G
+///     return contact.carry(grid, h, 80e3).status == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 class NormalContact {
 public:
     using Grid = Eigen::ArrayXXd;

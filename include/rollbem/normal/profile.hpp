@@ -13,6 +13,16 @@ namespace rollbem {
 
 /// A curve (y(s), z(s)) [m] over the length s along the polygon of its points; y to the right, z down.
 ///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Profile wheel = s1002(), rail = rail_60e1().moved(0.025, 0, 0);  // canted by 1 in 40
+///     return wheel.length() > 0.05 && rail.length() > 0.05 ? 0 : 1;          // along the profiles [m]
+/// }
+/// \endcode
+///
 /// - Wheel: the right one, z = 0 on the tape circle and the flange at negative y.
 /// - Rail: z = 0 at its highest point, and the inner side of the right rail at negative y.
 ///
@@ -73,6 +83,25 @@ private:
     std::vector<Eigen::Index> corners_;
     bool piece_ = false;
 };
+
+namespace detail {
+
+inline constexpr double usual_cant = 0.02499479361892016;
+
+}  // namespace detail
+
+/// The wheel S1002 (EN 13715), from the flange's back to 60 mm outside the tape circle; tape circle at y = 0.
+Profile s1002();
+
+/// The rail UIC 60 (UIC 861; by the centres of its arcs, which join at 10.50 and 25.99 mm from the middle), canted
+/// inwards, towards negative y, by `cant` [rad], its highest point at y = z = 0; the profiles below likewise.
+Profile rail_uic60(double cant = detail::usual_cant);
+
+/// The rail 60E1 (EN 13674-1; joints 20.456 and 52.053 mm apart).
+Profile rail_60e1(double cant = detail::usual_cant);
+
+/// The rail 54E1 (EN 13674-1; joints 20.024 and 49.727 mm apart).
+Profile rail_54e1(double cant = detail::usual_cant);
 
 }  // namespace rollbem
 

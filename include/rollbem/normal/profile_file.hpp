@@ -1,19 +1,31 @@
-// Profiles from files: two columns, SIMPACK's .prr and .prw, MiniProf's .ban and .whl, sections .slcs and .slcw. For
-// wheels and canted rails see surface_file.hpp.
+// Profiles and surfaces from files: of measuring devices, of points, and of lists of profiles; and their doubts.
 #pragma once
 
 #include "../detail/decl.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "profile.hpp"
-#include "profile_check.hpp"
-#include "sections.hpp"
+#include "surface.hpp"
 
 namespace rollbem {
+
+/// Throws std::invalid_argument, with the fault and its remedy, unless the profile can be a whole right wheel. Pieces
+/// pass.
+///
+/// - Width: 90 to 180 mm.
+/// - Flange: its crown (largest z) lies 25 to 65 mm inside the tape circle, at z >= 10 mm.
+/// - Tape circle: -6 mm < z < 2 mm there (the radius is that of z = 0); it lies 70 mm from the flange's back, and the
+///   profile's origin `tape_offset` [m].
+void require_wheel(const Profile& wheel, double tape_offset);
+
+/// Throws std::invalid_argument, with the fault and its remedy, unless the profile can be a whole rail: 30 to 200 mm
+/// wide, its top (least z) within 10 mm of z = 0 and higher than both ends. Pieces pass.
+void require_rail(const Profile& rail);
 
 struct ProfileFileOptions {
     double per_metre = 1;                     ///< units of length in a metre, of files with two columns: 1 or 1000
@@ -41,6 +53,38 @@ struct ProfileFile {
 /// require_rail; sections and pieces are not checked. Throws std::invalid_argument with the file, the line and the
 /// expected content.
 ProfileFile read_profile(const std::filesystem::path& path, Profile::Use use, const ProfileFileOptions& options = {});
+
+struct WheelFile {
+    WheelSurface surface;
+    std::vector<std::string> notes, doubts{};  ///< of ProfileFile
+};
+
+struct RailFile {
+    RailSurface surface;
+    std::vector<std::string> notes, doubts{};  ///< of ProfileFile, and that a file is canted unasked
+};
+
+/// The position of a rail in its track.
+struct RailPlacing {
+    std::optional<double> cant{};  ///< inward turn [rad]; 0 for a profile that is canted already; 1:40 without it
+    double roller_radius = 0;      ///< [m] from the axle to the profile's z = 0; 0: a rail
+    /// Whether the profile is turned about its origin, in the sense of TrackDimensions::rail_origin. Otherwise a
+    /// standard rail has its origin at its highest point, turned or not.
+    bool by_origin = false;
+};
+
+/// Whether this is the name of a standard wheel, s1002, or of a standard rail, 60e1, uic60 or 54e1.
+bool is_standard_profile(const std::filesystem::path& name, Profile::Use use);
+
+/// The right wheel s1002, or a wheel from a file by read_profile, of any shape or checked. Throws
+/// std::invalid_argument.
+WheelFile open_wheel(const std::filesystem::path& name, const ProfileFileOptions& options = {}, bool any_shape = false);
+
+/// The right rail 60e1, uic60 or 54e1, or a rail from a file by read_profile, of any shape or checked, canted; a roller
+/// if it has a radius. A profile that is canted already needs the cant 0: `doubts` of the result say where none was
+/// given. Throws std::invalid_argument.
+RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options = {},
+                   const RailPlacing& placing = {}, bool any_shape = false);
 
 }  // namespace rollbem
 

@@ -14,7 +14,7 @@
 #include <Eigen/LU>
 
 #include "../closed_form/carter.hpp"
-#include "../closed_form/estimated_c11.hpp"
+#include "../closed_form/detail/estimated_c11.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"

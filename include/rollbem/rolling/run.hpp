@@ -1,11 +1,71 @@
-// Run: a model with the data of one contact in a time loop: its present state, the next one and a workspace.
+// Steps in time: integrators, the input of a step, and Run, a model with the data of one contact in a time loop.
 #pragma once
 
 #include <utility>
 
+#include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
 
 namespace rollbem {
+
+/// The time integration of a step. With w = dq G^-1 G', each method replaces e^w by a rational function r(w) with one
+/// real pole that tends to 0 for w -> -inf (L-stable): stiff modes, which a nearly singular G has, decay instead of
+/// ringing.
+enum class Integrator {
+    implicit_euler,      ///< first order
+    sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
+    matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage
+                         ///< (first-order hold); in full adhesion only
+};
+
+constexpr const char* name(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::implicit_euler: return "implicit_euler";
+        case Integrator::sdirk2: return "sdirk2";
+        case Integrator::matrix_exponential: break;
+    }
+    return "matrix_exponential";
+}
+
+/// The load of a step, or none: the state's load then remains.
+template <class Load_>
+class GivenLoad {
+public:
+    using Load = Load_;
+
+    GivenLoad() = default;
+    GivenLoad(const Load& load) : load_(&load) {}  // NOLINT: implicit on purpose
+    GivenLoad(const Load&&) = delete;
+
+    explicit operator bool() const { return load_ != nullptr; }
+    const Load& operator*() const { return *load_; }
+    const Load* operator->() const { return load_; }
+
+private:
+    const Load* load_ = nullptr;
+};
+
+/// One step: the distance rolled, the motion of the bodies meanwhile, and the load at its end. The load varies linearly
+/// from the state's load; without one the state's load remains. A model's `Load` is a GivenLoad with friction, the
+/// half-length or the semi-axes in full adhesion. Written in braces:
+///
+///     model.advance(now, {dq, creepage}, next, workspace);
+///     model.advance(now, {{dq, duration}, Motion::linear(start, end), load}, next, workspace);
+///     model.advance(now, {0, Motion::shift(shift)}, next, workspace);  // without rolling
+///
+/// Steady rolling takes the motion at the end of such a step, its load, and its speed if friction depends on slip:
+///
+///     model.steady(now, {.motion = creepage}, next, workspace);
+///     model.steady(now, {Travel::at_speed(V), creepage, load}, next, workspace);
+template <class Motion_, class Load_>
+struct RollingStep {
+    using Motion = Motion_;
+    using Load = Load_;
+
+    Travel travel{};
+    Motion motion;
+    Load load{};
+};
 
 /// One contact in a time loop, by any of the models. A step becomes the present state if its status is ok; otherwise
 /// the present state stays as it is. try_advance() and try_steady() leave the result in next(), until accept() makes it

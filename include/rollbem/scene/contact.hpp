@@ -9,22 +9,30 @@
 
 namespace rollbem {
 
-/// Sizes and material of a contact area 2a x 2b. Invariant: 1e-120 <= a <= 1e60 (float: 1e-18 to 1e12), 0 < b <= inf,
+/// Sizes and material of a contact area 2a x 2b. Invariant: 1e-120 <= a <= 1e60, 0 < b <= inf,
 /// 0 < G < inf, 0 <= nu <= 0.5.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const auto steady = solve_steady(Chebyshev{8}, StripKernel<double>::longitudinal(contact));
+///     return creep_force(contact, steady, 1e-4) < 0 ? 0 : 1;  // [N]; positive creepage, negative force
+/// }
+/// \endcode
 ///
 /// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of
 /// units may be used; SI units are given here. The shape of every solution depends on nu and b/a alone: a and G only
 /// set its scale.
-template <class Scalar_ = double>
 class Contact {
 public:
-    using Scalar = Scalar_;
-
     struct Parameters {
-        Scalar half_length;                                           ///< a [m], in the rolling direction x
-        Scalar half_width = std::numeric_limits<Scalar>::infinity();  ///< b [m]; infinite for steady problems only
-        Scalar shear_modulus;                                         ///< G [Pa] of both (equal) bodies
-        Scalar poisson_ratio;                                         ///< nu [-]
+        double half_length;                                           ///< a [m], in the rolling direction x
+        double half_width = std::numeric_limits<double>::infinity();  ///< b [m]; infinite for steady problems only
+        double shear_modulus;                                         ///< G [Pa] of both (equal) bodies
+        double poisson_ratio;                                         ///< nu [-]
     };
 
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
@@ -39,18 +47,18 @@ public:
     }
 
     /// The contact with a = G = 1 and b = `aspect`.
-    static Contact dimensionless(Scalar aspect, Scalar poisson_ratio) {
+    static Contact dimensionless(double aspect, double poisson_ratio) {
         detail::require(!detail::is_nan(aspect) && aspect > 0, "Contact", "aspect", aspect, "be positive");
         return Contact({.half_length = 1, .half_width = aspect, .shear_modulus = 1, .poisson_ratio = poisson_ratio});
     }
 
-    Scalar half_length() const { return parameters_.half_length; }
-    Scalar half_width() const { return parameters_.half_width; }
+    double half_length() const { return parameters_.half_length; }
+    double half_width() const { return parameters_.half_width; }
     /// 2b, the width over which friction's results are totals; 1 where b is infinite: results are then per metre.
-    Scalar width() const { return detail::is_finite(half_width()) ? 2 * half_width() : Scalar(1); }
-    Scalar shear_modulus() const { return parameters_.shear_modulus; }
-    Scalar poisson_ratio() const { return parameters_.poisson_ratio; }
-    Scalar aspect() const { return parameters_.half_width / parameters_.half_length; }  ///< b/a [-]
+    double width() const { return detail::is_finite(half_width()) ? 2 * half_width() : 1.0; }
+    double shear_modulus() const { return parameters_.shear_modulus; }
+    double poisson_ratio() const { return parameters_.poisson_ratio; }
+    double aspect() const { return parameters_.half_width / parameters_.half_length; }  ///< b/a [-]
 
 private:
     Parameters parameters_;

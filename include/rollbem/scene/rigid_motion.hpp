@@ -18,9 +18,9 @@ struct NumberOf {
     using type = Value;
     static constexpr int directions = 1;
 };
-template <class Scalar>
-struct NumberOf<Creepage<Scalar>> {
-    using type = Scalar;
+template <>
+struct NumberOf<Creepage> {
+    using type = double;
     static constexpr int directions = 2;
 };
 
@@ -28,38 +28,36 @@ struct NumberOf<Creepage<Scalar>> {
 
 /// Distance and duration of one step, or of steady rolling any distance and its duration. Only friction that depends on
 /// the velocity of slip needs the duration; everything else takes a plain dq.
-template <class Scalar = double>
 struct Travel {
     constexpr Travel() = default;
-    constexpr Travel(Scalar distance,
-                     Scalar seconds = std::numeric_limits<Scalar>::quiet_NaN())  // NOLINT: implicit on purpose
+    constexpr Travel(double distance,
+                     double seconds = std::numeric_limits<double>::quiet_NaN())  // NOLINT: implicit on purpose
         : dq(distance), duration(seconds) {}
 
     /// A second of steady rolling at V [m/s].
-    static constexpr Travel at_speed(Scalar V) { return {V, 1}; }
+    static constexpr Travel at_speed(double V) { return {V, 1}; }
 
-    Scalar dq = 0;  ///< distance rolled [m], positive, at least 1e-292; 0 for a rigid shift without rolling
-    Scalar duration = std::numeric_limits<Scalar>::quiet_NaN();  ///< [s], positive; NaN if it does not matter
+    double dq = 0;  ///< distance rolled [m], positive, at least 1e-292; 0 for a rigid shift without rolling
+    double duration = std::numeric_limits<double>::quiet_NaN();  ///< [s], positive; NaN if it does not matter
 
-    constexpr Scalar speed() const { return dq / duration; }  ///< V [m/s]
+    constexpr double speed() const { return dq / duration; }  ///< V [m/s]
 };
 
-/// Motion during one step. Value_ is a number for creepage in one direction (the kernel's), and Creepage<Scalar> for
+/// Motion during one step. Value_ is a number for creepage in one direction (the kernel's), and Creepage for
 /// both. With friction each element may also have a rigid slip of its own: on curved surfaces, rigid slip is not linear
 /// in x and y.
 template <class Value_>
 class RigidMotion {
 public:
     using Value = Value_;
-    using Scalar = typename detail::NumberOf<Value>::type;
     static constexpr int directions = detail::NumberOf<Value>::directions;
     /// A row per unknown element, a column per direction.
-    using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, directions>;
     using RowsView = Eigen::Map<const Rows>;
 
     /// Constant creepage xi [-].
     RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: implicit on purpose
-    RigidMotion(Scalar longitudinal, Scalar lateral, Scalar spin = 0) requires(directions == 2)
+    RigidMotion(double longitudinal, double lateral, double spin = 0) requires(directions == 2)
         : RigidMotion(Value{longitudinal, lateral, spin}) {}
 
     /// Creepage [-] that varies linearly over the step.
@@ -101,8 +99,8 @@ public:
 
     /// Whether the motion can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
-    Status check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
-        const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<Scalar>;
+    Status check(double dq, Eigen::Index row_count = 0) const noexcept {
+        const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<double>;
         if (!detail::is_finite(dq) || !possible) return Status::invalid_step;
         return check_rows(row_count);
     }
@@ -123,7 +121,7 @@ private:
 
     Value start_, end_;
     Kind kind_ = Kind::constant;
-    const Scalar *start_rows_ = nullptr, *end_rows_ = nullptr;
+    const double *start_rows_ = nullptr, *end_rows_ = nullptr;
     Eigen::Index row_count_ = 0;
 };
 

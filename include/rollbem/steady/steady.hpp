@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "../adhesion/response.hpp"
-#include "../assembly/influence.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../detail/array_functions.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"

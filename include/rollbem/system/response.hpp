@@ -3,7 +3,6 @@
 #pragma once
 
 #include <limits>
-#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -48,9 +47,7 @@ struct Response {
 };
 
 /// Force on body 1 [N] of a line contact in steady rolling, over its width(): -a G c11 xi per metre, Eq. (30).
-template <class Scalar>
-Scalar creep_force(const Contact<Scalar>& contact, const Response<Scalar>& steady,
-                   std::type_identity_t<Scalar> creepage) {
+inline double creep_force(const Contact& contact, const Response<double>& steady, double creepage) {
     return -contact.width() * contact.half_length() * contact.shear_modulus() * steady.c11() * creepage;
 }
 

@@ -1,30 +1,79 @@
-// RollingSystem: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn its unknowns into forces. All
-// problems that are not steady start from it; it does not depend on mesh, scheme or kernel. Steady friction needs G'
-// alone.
+// Systems of rolling contact: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn unknowns into
+// forces; with elements in one direction or two, and the verdict on their stability. Independent of mesh and kernel.
 #pragma once
 
+#include "../detail/decl.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "../detail/fingerprint.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
+#include "../status.hpp"
 #include "../types.hpp"
-#include "elements.hpp"
+#include "detail/shape_set.hpp"
 
 namespace rollbem {
+
+/// Coordinates of n elements and of their equations, in the system's unit of length (a; for outlines c). Elements are
+/// numbered from trailing to leading, strip by strip from small to large y; equation i belongs to element i.
+///
+/// Invariant: all areas are positive and finite; the other arrays have as many entries, or none if coordinates are not
+/// known, as for ready matrices.
+template <class Scalar>
+struct Elements {
+    ArrayX<Scalar> x, y;                ///< the point of each equation, at which the rigid slip is taken
+    ArrayX<Scalar> centre_x, centre_y;  ///< the centre of each element, at which its traction acts in moments
+    ArrayX<Scalar> areas;               ///< area of each element; on a line contact its width
+    /// Length along x of the interval, about its point, in which each equation holds; for a difference of u, the
+    /// distance between its two points. Empty where it is not known.
+    ArrayX<Scalar> intervals;
+    std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
+    /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
+    /// finite differences at equal alphas of 0.5. False where it is not known.
+    bool half_element_ahead = false;
+
+    Eigen::Index size() const { return areas.size(); }
+    bool places_are_known() const { return x.size() == size(); }
+    bool is_one_strip() const { return behind == one_strip(size()); }
+
+    /// `behind` for n elements in one strip.
+    static std::vector<Eigen::Index> one_strip(Eigen::Index n) {
+        std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
+        for (Eigen::Index i = 0; i < n; ++i) behind[static_cast<std::size_t>(i)] = i - 1;
+        return behind;
+    }
+
+    /// Elements of one strip at unknown coordinates.
+    static Elements unplaced(const ArrayX<Scalar>& areas) {
+        Elements elements;
+        elements.areas = areas;
+        elements.behind = one_strip(areas.size());
+        return elements;
+    }
+
+    /// Throws std::invalid_argument if the invariant does not hold; `area` is the name of the areas in the terms of
+    /// `who`.
+    void require_valid(const char* who, const char* area) const;
+};
 
 namespace detail {
 
 /// Throws std::invalid_argument if a system has G' alone.
 template <class System>
-void require_G(const char* who, const System& system) {
-    require(system.has_G(), who, "number of rows of G", 0,
-            "be the number of rows of G_prime: a system without G is for steady friction alone");
-}
+void require_G(const char* who, const System& system);
 
 }  // namespace detail
 
@@ -34,6 +83,18 @@ void require_G(const char* who, const System& system) {
 /// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite. G may be
 /// empty (0 x 0), as after steady_system(): the system then serves FrictionModel::steady alone, and constructors that
 /// need G throw std::invalid_argument.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     // G, G' and weights of your own: two elements
+///     const Eigen::Matrix2d G{{2, 1}, {1, 2}}, G_prime{{-1, 0.5}, {-0.5, -1}};
+///     const RollingSystem<double> system(G, G_prime, Eigen::Array2d(1, 1));
+///     return std::isfinite(solve_steady(system).c11()) ? 0 : 1;
+/// }
+/// \endcode
 template <class Scalar_>
 class RollingSystem {
 public:
@@ -117,34 +178,13 @@ private:
     Origin origin_;
 };
 
-template <class Scalar>
-RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
-                                     MatrixX<Scalar> outputs, Origin origin)
-    : G_(std::move(G)),
-      G_prime_(std::move(G_prime)),
-      inputs_(std::move(inputs)),
-      outputs_(std::move(outputs)),
-      origin_(std::move(origin)) {
-    const Eigen::Index n = outputs_.rows();
-    detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
-    detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
-    detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
-                    "equal the number of outputs");
-    if (G_.size() > 0) detail::require_square("RollingSystem", "G", G_, n, "weights");
-    detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
-    detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
-                    "equal the number of weights");
-    detail::require_finite("RollingSystem", "inputs", inputs_);
-    detail::require_finite("RollingSystem", outputs_.cols() == 1 ? "weights" : "outputs", outputs_);
-}
-
 /// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them, along
 /// one direction (this template) or two (its specialisation in element_blocks.hpp).
 ///
 /// Invariant: in addition, all weights are positive; they are the widths of the elements in units of a.
 template <class Scalar_, int directions = 1>
 class ElementSystem : public RollingSystem<Scalar_> {
-    static_assert(directions == 1, "for two directions include system/element_blocks.hpp");
+    static_assert(directions == 1, "for two directions include system/rolling_system.hpp");
 
 public:
     using Scalar = Scalar_;
@@ -184,38 +224,213 @@ private:
     Elements<Scalar> elements_;
 };
 
-template <class Scalar, int directions>
-ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements,
-                                                 Eigen::Index element_count, Origin origin)
-    : RollingSystem<Scalar>(std::move(G), std::move(G_prime), elements.areas, tractions(std::move(origin))),
-      element_count_(element_count),
-      elements_(std::move(elements)) {
-    elements_.require_valid("ElementSystem", "width");
-    if (!this->has_G()) return;
-    // an element is displaced in the direction of its own traction, and points ahead of it less than the element itself
-    const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
-    detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
-                    "be positive, and the entry of G_prime negative: have the matrices changed places?");
-}
-
 /// Two uncoupled systems as one: inputs and outputs of the first, then of the second. With spin in the lateral one,
 /// AdhesionModel<2> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
 template <class Scalar>
-RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
-    const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();
-    detail::require(!lateral.aspect() || *lateral.aspect() == *aspect, "both_directions", "b/a of the lateral kernel",
-                    lateral.aspect().value_or(Scalar(0)), "be b/a of the longitudinal kernel");
-    const auto diagonal = [](const MatrixX<Scalar>& first, const MatrixX<Scalar>& second) {
-        MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(first.rows() + second.rows(), first.cols() + second.cols());
-        whole.topLeftCorner(first.rows(), first.cols()) = first;
-        whole.bottomRightCorner(second.rows(), second.cols()) = second;
-        return whole;
-    };
-    return {diagonal(longitudinal.G(), lateral.G()),
-            diagonal(longitudinal.G_prime(), lateral.G_prime()),
-            diagonal(longitudinal.inputs(), lateral.inputs()),
-            diagonal(longitudinal.outputs(), lateral.outputs()),
-            {longitudinal.unknowns_are_tractions() && lateral.unknowns_are_tractions(), aspect}};
-}
+RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral);
+
+namespace detail {
+
+/// Blocks of ElementSystem<Scalar, 2>.
+template <class Scalar>
+using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
+
+/// Throws std::invalid_argument unless the blocks are n x n and finite, or, off the diagonal, both empty.
+template <class Scalar>
+void require_blocks(const char* who, const char* name, const DirectionBlocks<Scalar>& blocks, Eigen::Index n);
+
+/// The blocks of uncoupled directions.
+template <class Scalar>
+DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral);
+
+/// [xx xy; yx yy], with zeros for empty blocks.
+template <class Scalar>
+MatrixX<Scalar> joined(const DirectionBlocks<Scalar>& blocks);
+
+template <class Scalar>
+void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint);
+
+/// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
+/// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
+/// where the points are not known.
+template <class Scalar>
+MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements);
+
+/// F_x, F_y and the moment about the origin M_z = int (x p_y - y p_x), per traction: 2n x 3, by areas and centres. The
+/// moment is zero where the centres are not known.
+template <class Scalar>
+MatrixX<Scalar> force_weights(const Elements<Scalar>& elements);
+
+}  // namespace detail
+
+/// Elements with tractions in both directions, of a line (two uncoupled systems) or of a patch: s/V = rigid slip - G' p
+/// + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
+///
+/// Invariant: the invariant of Elements; all blocks are n x n and finite, and G and G' couple the directions both or
+/// not at all. As in RollingSystem, G may be empty.
+template <class Scalar_>
+class ElementSystem<Scalar_, 2> {
+public:
+    using Scalar = Scalar_;
+    /// Blocks of G or G': entry [d][e] is n x n, from tractions along e to d; 0 is longitudinal (x), 1 lateral (y).
+    /// Blocks with d != e are empty (0 x 0) where the directions do not couple.
+    using Blocks = detail::DirectionBlocks<Scalar>;
+
+    /// Takes ready blocks. Throws std::invalid_argument if they break the invariant.
+    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)
+        : G_(std::move(G)),
+          G_prime_(std::move(G_prime)),
+          elements_(std::move(elements)),
+          element_count_(elements_.size()) {
+        elements_.require_valid("ElementSystem", "area");
+        if (has_G()) detail::require_blocks("ElementSystem", "G", G_, size());
+        detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
+        detail::require(!has_G() || (G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy",
+                        G_[0][1].rows(), "be the number of rows of G_prime_xy");
+    }
+
+    /// Takes ready blocks of a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its
+    /// size and shape.
+    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
+                  std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
+        : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
+        shapes_ = std::move(shapes);
+        a_over_b_ = a_over_b;
+    }
+
+    /// Joins the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
+    ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
+        : G_(longitudinal.has_G() ? detail::uncoupled(longitudinal.G(), lateral.G()) : Blocks{}),
+          G_prime_(detail::uncoupled(longitudinal.G_prime(), lateral.G_prime())),
+          elements_(longitudinal.elements()),
+          element_count_(longitudinal.element_count()),
+          aspect_(longitudinal.aspect()),
+          log_strength_{longitudinal.log_strength(), lateral.log_strength()},
+          half_length_limit_((std::min)(longitudinal.half_length_limit(), lateral.half_length_limit())) {
+        const Eigen::Index n = lateral.size();
+        detail::require(n == size(), "ElementSystem", "number of lateral elements", n,
+                        "equal the number of longitudinal ones");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Scalar ratio = lateral.weights()[i] / longitudinal.weights()[i];
+            detail::require(std::abs(ratio - 1) <= 16 * std::numeric_limits<Scalar>::epsilon(), "ElementSystem",
+                            "width of a lateral element over the width of the longitudinal one", ratio, "be 1");
+        }
+        const bool aspects_differ = aspect_ && lateral.aspect() && *aspect_ != *lateral.aspect();
+        detail::require(!aspects_differ, "ElementSystem", "b/a of the lateral kernel",
+                        lateral.aspect().value_or(Scalar(0)), "be b/a of the longitudinal kernel");
+        if (!aspect_) aspect_ = lateral.aspect();
+    }
+
+    Eigen::Index size() const { return elements_.size(); }  ///< n, number of unknown elements
+    /// Number of elements of the mesh, as with one direction.
+    Eigen::Index element_count() const { return element_count_; }
+    const Elements<Scalar>& elements() const { return elements_; }
+    bool has_G() const { return G_[0][0].size() > 0; }
+    /// The block from tractions along e to d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G
+    /// throws std::invalid_argument if there is none.
+    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const {
+        detail::require_G("ElementSystem", *this);
+        return G_[d][e];
+    }
+    const MatrixX<Scalar>& G_prime(std::size_t d, std::size_t e) const { return G_prime_[d][e]; }
+    const Blocks& G_prime_blocks() const { return G_prime_; }
+    bool coupled() const { return G_prime_[0][1].size() > 0; }
+
+    /// b/a as in RollingSystem; empty for a patch.
+    std::optional<Scalar> aspect() const { return aspect_; }
+    std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
+    Scalar half_length_limit() const { return half_length_limit_; }
+
+    /// Shapes of a patch that may change its size or shape, otherwise null: see breathing_system and PatchShapes.
+    const std::shared_ptr<const detail::ShapeSet<Scalar>>& shapes() const { return shapes_; }
+    Scalar a_over_b() const { return a_over_b_; }  ///< a/b of the patch for which the blocks hold; 0 where not known
+
+    /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
+    RollingSystem<Scalar> joined() const {
+        return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
+                detail::force_weights(elements_)};
+    }
+    /// Fingerprint as in RollingSystem.
+    std::uint64_t fingerprint() const {
+        detail::Fingerprint fingerprint;
+        detail::add_blocks(G_, fingerprint);
+        detail::add_blocks(G_prime_, fingerprint);
+        fingerprint.add(detail::rigid_slip(elements_));
+        fingerprint.add(detail::force_weights(elements_));
+        if (shapes_) {
+            fingerprint.add(a_over_b_);
+            fingerprint.add(shapes_->first);
+            fingerprint.add(shapes_->step);
+        }
+        return fingerprint.value();
+    }
+
+private:
+    Blocks G_, G_prime_;
+    Elements<Scalar> elements_;
+    Eigen::Index element_count_;
+    std::optional<Scalar> aspect_;
+    std::array<std::optional<Scalar>, 2> log_strength_;
+    Scalar half_length_limit_ = std::numeric_limits<Scalar>::infinity();
+    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;
+    Scalar a_over_b_ = 0;
+};
+
+template <class Scalar>
+ElementSystem(const ElementSystem<Scalar>&, const ElementSystem<Scalar>&) -> ElementSystem<Scalar, 2>;
+
+/// Signs of the real parts of the n eigenvalues nu a of G' p = nu G p; a mode grows like e^{nu V t}.
+///
+/// An eigenvalue is uncertain if rounding of G and G' alone could change the sign of its real part, to first order;
+/// otherwise its sign is settled. Infinite eigenvalues are uncertain. Eigenvalues too ill-conditioned for this may be
+/// proved to decay all together.
+struct StabilityVerdict {
+    Eigen::Index n = 0;
+    Eigen::Index unstable_count = 0;          ///< real part > 0 as computed
+    Eigen::Index settled_unstable_count = 0;  ///< eigenvalues among these whose sign is settled
+    Eigen::Index uncertain_count = 0;         ///< with either sign
+    double spectral_abscissa = 0;             ///< largest real part of the finite eigenvalues, times a [-]
+    bool decay_proved = false;                ///< whether all modes are proved to decay, although some signs are
+                                              ///< uncertain one by one
+    Status status = Status::not_finite;       ///< unless ok, the eigenvalues were not found
+    bool checked = true;                      ///< when a model is made, see `unchecked`
+
+    /// No mode grows, whatever the rounding.
+    bool stable() const {
+        return status == Status::ok && unstable_count == 0 && (uncertain_count == 0 || decay_proved);
+    }
+    /// At least one mode certainly grows.
+    bool certainly_unstable() const { return status == Status::ok && settled_unstable_count > 0; }
+
+    /// The verdict on two uncoupled systems, which together have the eigenvalues of both.
+    friend StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other) {
+        return {.n = one.n + other.n,
+                .unstable_count = one.unstable_count + other.unstable_count,
+                .settled_unstable_count = one.settled_unstable_count + other.settled_unstable_count,
+                .uncertain_count = one.uncertain_count + other.uncertain_count,
+                .spectral_abscissa = (std::max)(one.spectral_abscissa, other.spectral_abscissa),
+                .decay_proved = one.stable() && other.stable(),
+                .status = one.status == Status::ok ? other.status : one.status};
+    }
+};
+
+/// Replaces a verdict: builds a model for any eigenvalues, and whether or not the scheme converges.
+inline constexpr StabilityVerdict unchecked{.checked = false};
 
 }  // namespace rollbem
+
+#include "impl/rolling_system.tpp"
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template struct Elements<double>;
+extern template class RollingSystem<double>;
+extern template class ElementSystem<double, 1>;
+extern template void detail::require_blocks<double>(const char*, const char*, const detail::DirectionBlocks<double>&,
+                                                    Eigen::Index);
+extern template MatrixX<double> detail::joined<double>(const detail::DirectionBlocks<double>&);
+extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
+extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
+extern template class ElementSystem<double, 2>;
+}  // namespace rollbem
+#endif

@@ -16,16 +16,46 @@
 #include <Eigen/Core>
 
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/wheelset.hpp"
 #include "../status.hpp"
-#include "contact_row.hpp"
-#include "contact_zones.hpp"
 #include "creep_force_table.hpp"
-#include "reduced_friction.hpp"
+#include "detail/contact_row.hpp"
 
 namespace rollbem {
+
+/// Zones along the lateral place y [m] in track axes, as on the right rail, from the smallest y (the flange's side) to
+/// the largest. A quantity of a zone is an integral over the wheel's pressures times the zone's weight, so that it
+/// changes continuously when patches merge, part, appear or vanish.
+///
+/// Invariant: at most four zones; half-widths are positive, and cuts ascend and do not overlap.
+class ContactZones {
+public:
+    static constexpr Eigen::Index most = 4;
+
+    /// The transition between two zones, from y - half_width to y + half_width.
+    struct Cut {
+        double y, half_width;  ///< [m]
+    };
+
+    /// One zone.
+    ContactZones() = default;
+    /// Throws std::invalid_argument if the cuts break the invariant.
+    explicit ContactZones(std::vector<Cut> cuts);
+
+    Eigen::Index count() const { return static_cast<Eigen::Index>(cuts_.size()) + 1; }
+    const std::vector<Cut>& cuts() const { return cuts_; }
+
+    /// The share of a zone in a quantity at y, 0 to 1; twice continuously differentiable.
+    double weight(Eigen::Index zone, double y) const;
+
+private:
+    double low(std::size_t k) const { return cuts_[k].y - cuts_[k].half_width; }
+    double high(std::size_t k) const { return cuts_[k].y + cuts_[k].half_width; }
+    static double beyond(const Cut& cut, double y);
+
+    std::vector<Cut> cuts_;
+};
 
 /// Friction of one wheel.
 struct WheelFriction {
@@ -53,14 +83,14 @@ struct WheelForces {
         std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
         double angle = 0;             ///< angle delta of the pressures' mean normal [rad]
         double rolling_radius = 0;    ///< [m]
-        double rail_y = 0, wheel_y = 0;              ///< y of the point in both profiles [m]
-        double normal_load = 0;                      ///< N [N]
-        double peak_pressure = 0;                    ///< largest pressure in the zone [Pa]
-        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
-        Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
-        TangentialForce<double> force{};             ///< force on the wheel in the plane [N], moment [N m]
-        double rolling_velocity = 0;                 ///< V [m/s], below 0 where the wheel rolls backwards
-        double heat = 0;                             ///< heat of friction [W]
+        double rail_y = 0, wheel_y = 0;      ///< y of the point in both profiles [m]
+        double normal_load = 0;              ///< N [N]
+        double peak_pressure = 0;            ///< largest pressure in the zone [Pa]
+        PatchContact ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
+        Creepage creepage{};                 ///< wheel minus rail, as creepage_of
+        TangentialForce force{};             ///< force on the wheel in the plane [N], moment [N m]
+        double rolling_velocity = 0;         ///< V [m/s], below 0 where the wheel rolls backwards
+        double heat = 0;                     ///< heat of friction [W]
     };
 
     /// Inputs by which the forces are differentiated.

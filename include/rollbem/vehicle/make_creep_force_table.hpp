@@ -14,7 +14,6 @@
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../system/response.hpp"
-#include "creep_force_grid.hpp"
 #include "creep_force_table.hpp"
 
 namespace rollbem {
@@ -28,7 +27,7 @@ public:
     CreepForceSource(const CreepForceSource&) = delete;
     CreepForceSource& operator=(const CreepForceSource&) = delete;
 
-    const PatchContact<double>& contact() const { return contact_; }
+    const PatchContact& contact() const { return contact_; }
     /// The first of the two meshes.
     const PatchMesh<double>& mesh() const;
     /// Response in full adhesion, on the same elements and with the same errors as the forces; on long patches other
@@ -41,7 +40,7 @@ public:
     };
     /// Takes creepages times G a b/(mu N), spin times G a b c/(mu N); starts from the tractions of the last solution or
     /// from rest.
-    Solution solve(const Creepage<double>& creepage, bool from_rest);
+    Solution solve(const Creepage& creepage, bool from_rest);
 
 private:
     struct Patch;  // internal
@@ -63,9 +62,9 @@ private:
     /// - Spin above 4 and pole within 1.2 of the ellipse, where nearly all elements slide: both meshes have equal
     ///   weight.
     /// - Spin below 2 or pole beyond 1.5 of the ellipse: the first mesh alone.
-    double share_of_shifted(const Creepage<double>& v) const;
+    double share_of_shifted(const Creepage& v) const;
 
-    PatchContact<double> contact_;
+    PatchContact contact_;
     std::shared_ptr<Patch> patch_, shifted_;  // the second one is made when it is first needed
 };
 

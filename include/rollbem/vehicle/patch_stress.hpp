@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "../elasticity/subsurface_stress.hpp"
-#include "patch_force.hpp"
+#include "wheelset_forces.hpp"
 
 namespace rollbem {
 

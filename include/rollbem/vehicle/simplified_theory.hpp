@@ -6,9 +6,7 @@
 
 #include <array>
 
-#include "../scene/creep_coefficients.hpp"
 #include "../scene/creepage.hpp"
-#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 
@@ -38,29 +36,41 @@ struct SimplifiedElement {
 
 /// Forces of simplified theory on body 1.
 struct SimplifiedForce {
-    TangentialForce<double> force{};     ///< NaN unless ok
+    TangentialForce force{};             ///< NaN unless ok
     Status status = Status::not_finite;  ///< not_finite: creepages, or their forces; otherwise ok
 };
 
 /// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
 /// source. Signs are as in Creepage. Convergence is of first order in the elements of a strip. Nothing allocates.
 ///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact({.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const auto steady = solve_steady(contact, patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev});
+///     const SimplifiedTheory theory(contact, creep_coefficients(contact, steady), 0.3, 80e3);
+///     return theory.fastsim({1e-3, 5e-4, 0.1}).force.longitudinal < 0 ? 0 : 1;
+/// }
+/// \endcode
+///
 /// Invariant: the contact is an ellipse; c11, c22, c23, mu and N are positive and finite; there are at least 3 strips,
 /// each of at least one element.
 class SimplifiedTheory {
 public:
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
-    SimplifiedTheory(const PatchContact<double>& contact, const CreepCoefficients<double>& coefficients,
+    SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
                      double friction_coefficient, double load, const SimplifiedMesh& mesh = {});
 
     /// Kalker's FASTSIM: displacement is proportional to traction, by the flexibilities L1 = 8a/(3 c11 G), L2 = 8a/(3
     /// c22 G) and L3 = pi a sqrt(a/b)/(4 c23 G), which give the linear law, and particles enter at the leading edge
     /// without traction. `visit` is called with each SimplifiedElement.
     template <class Visitor>
-    SimplifiedForce fastsim(const Creepage<double>& creepage, Visitor&& visit) const {
+    SimplifiedForce fastsim(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, false, visit);
     }
-    SimplifiedForce fastsim(const Creepage<double>& creepage) const {
+    SimplifiedForce fastsim(const Creepage& creepage) const {
         return solve(creepage, false, [](const SimplifiedElement&) {});
     }
 
@@ -70,10 +80,10 @@ public:
     /// strip's equations at any Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu.
     /// Where |3 c c23 G phi/(2 pi mu p0)| >= 1, strip theory has no stick.
     template <class Visitor>
-    SimplifiedForce fastrip(const Creepage<double>& creepage, Visitor&& visit) const {
+    SimplifiedForce fastrip(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, true, visit);
     }
-    SimplifiedForce fastrip(const Creepage<double>& creepage) const {
+    SimplifiedForce fastrip(const Creepage& creepage) const {
         return solve(creepage, true, [](const SimplifiedElement&) {});
     }
 
@@ -96,10 +106,10 @@ private:
 
     Flexibility flexibility() const;
     /// The mean of the three flexibilities, weighted by the creepages.
-    Flexibility one_flexibility(const Creepage<double>& at) const;
+    Flexibility one_flexibility(const Creepage& at) const;
 
     /// Whether creepages are so small that no traction without a bound overflows on its way through the ellipse.
-    bool is_in_range(const Creepage<double>& at) const;
+    bool is_in_range(const Creepage& at) const;
 
     /// Integral of sqrt(half_length^2 - x^2) from 0.
     static double half_circle(double x, double half_length);
@@ -109,20 +119,19 @@ private:
 
     /// Stick requires displacements with a constant slope along x and a slope that grows with x across it. Tractions of
     /// the slip zone behind continue the tractions of the stick zone and reach mu p.
-    StickZone stick_zone(const Creepage<double>& at, double y) const;
+    StickZone stick_zone(const Creepage& at, double y) const;
 
     /// One element of FASTSIM. On entry its traction is the traction of the element ahead. Particles come from the
     /// middle of the element ahead, into the first element from the leading edge.
-    void slide(const Creepage<double>& at, const Flexibility& L, double step, double mu_p,
-               SimplifiedElement& element) const;
+    void slide(const Creepage& at, const Flexibility& L, double step, double mu_p, SimplifiedElement& element) const;
 
     /// One element of strip theory. `ahead` is the x of its front edge.
     void stick_or_slip(const StickZone& zone, const Strip& strip, double ahead, SimplifiedElement& element) const;
 
     template <class Visitor>
-    SimplifiedForce solve(const Creepage<double>& creepage, bool by_strips, Visitor&& visit) const;
+    SimplifiedForce solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const;
 
-    PatchContact<double> contact_;
+    PatchContact contact_;
     CreepCoefficients<double> c_;
     SimplifiedMesh mesh_;
     double mu_, peak_;

@@ -20,15 +20,15 @@ namespace rollbem::detail {
 ///
 /// The equation gives upsilon = |b|/alpha and (T_1 + conj(tau)) u = -(upsilon t + alpha B_1 w). The same equation
 /// remains for T_1 and U_1, with B_1 - alpha u w^H in place of B_1.
-template <class Scalar>
-MatrixX<std::complex<Scalar>> gramian_factor(const MatrixX<std::complex<Scalar>>& T, MatrixX<std::complex<Scalar>> B) {
-    using Complex = std::complex<Scalar>;
+inline MatrixX<std::complex<double>> gramian_factor(const MatrixX<std::complex<double>>& T,
+                                                    MatrixX<std::complex<double>> B) {
+    using Complex = std::complex<double>;
     MatrixX<Complex> U = MatrixX<Complex>::Zero(T.rows(), T.cols());
     for (Eigen::Index j = T.rows() - 1; j >= 0; --j) {
-        const Scalar size = B.row(j).norm();
+        const double size = B.row(j).norm();
         if (size == 0) continue;  // u = 0 solves the equation
         const Complex tau = T(j, j);
-        const Scalar alpha = std::sqrt(-2 * tau.real()), upsilon = size / alpha;
+        const double alpha = std::sqrt(-2 * tau.real()), upsilon = size / alpha;
         VectorX<Complex> u = -upsilon * T.col(j).head(j);
         for (Eigen::Index k = 0; k < B.cols(); ++k) u -= alpha / size * std::conj(B(j, k)) * B.col(k).head(j);
         for (Eigen::Index i = j - 1; i >= 0; --i) {

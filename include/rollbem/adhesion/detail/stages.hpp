@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/rigid_slip.hpp"
-#include "../../rolling/stage_equations.hpp"
-#include "../../rolling/time_step.hpp"
-#include "../../scene/directions.hpp"
+#include "../../rolling/detail/rigid_slip.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../types.hpp"
 #include "stage_factors.hpp"
 
@@ -31,12 +31,12 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
 
 /// What the stages of a step in full adhesion are solved from, besides the step: references to values of the caller,
 /// made on the stack for one step. Stages of one `model` have the same matrices.
-template <int directions, class Scalar>
+template <int directions>
 struct AdhesionProblem {
     std::uint64_t model;
-    const VectorX<Scalar>& old;  ///< the unknowns from which the step starts
-    const RigidSlip<directions, Scalar>& slip;
-    StageFactors<Scalar>& factors;
+    const VectorX<double>& old;  ///< the unknowns from which the step starts
+    const RigidSlip<directions>& slip;
+    StageFactors& factors;
     /// Parameters of the wanted tangents.
     std::array<bool, Parameters<directions>::count> asked{true, directions == 2, directions == 2};
 };
@@ -50,13 +50,13 @@ struct AdhesionProblem {
 ///
 /// with ratio = (1-g)/g, where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short
 /// steps keep their digits.
-template <int directions, class Scalar>
+template <int directions>
 class AdhesionStages {
 public:
-    using Vector = VectorX<Scalar>;
+    using Vector = VectorX<double>;
     using By = Parameters<directions>;
-    using Step = TimeStep<directions, Scalar>;
-    using Problem = AdhesionProblem<directions, Scalar>;
+    using Step = TimeStep<directions>;
+    using Problem = AdhesionProblem<directions>;
 
     explicit AdhesionStages(Eigen::Index n)
         : change_(Vector::Zero(n)),
@@ -86,14 +86,14 @@ public:
     }
 
     /// Finds the unknowns per unit of each creepage in steady rolling of a patch, as responses.
-    void solve_steady(std::uint64_t model, const ShapeEquations<Scalar>& equations,
-                      const RigidSlip<directions, Scalar>& slip, StageFactors<Scalar>& factors) {
-        factors.prepare(model, equations.stage, [&](MatrixX<Scalar>& M) {
+    void solve_steady(std::uint64_t model, const ShapeEquations& equations, const RigidSlip<directions>& slip,
+                      StageFactors& factors) {
+        factors.prepare(model, equations.stage, [&](MatrixX<double>& M) {
             fill<2>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill_slope(1, d, e, block); });
         });
         for (std::size_t j = 0; j < By::creepages; ++j) {
             response_[j].setZero();
-            slip.add(j, Scalar(1), equations.stage.axes(), response_[j]);
+            slip.add(j, 1.0, equations.stage.axes(), response_[j]);
             factors.solve(response_[j]);
         }
     }
@@ -104,14 +104,14 @@ public:
     const Vector& response(std::size_t parameter) const { return response_[parameter]; }
 
 private:
-    using Stage = detail::Stage<directions, Scalar>;
+    using Stage = detail::Stage<directions>;
 
     template <class Equations>
     static constexpr int columns = std::remove_cvref_t<Equations>::columns;
 
     template <class Equations>
     void prepare(const Problem& problem, const Equations& equations) {
-        problem.factors.prepare(problem.model, equations.stage, [&](MatrixX<Scalar>& M) {
+        problem.factors.prepare(problem.model, equations.stage, [&](MatrixX<double>& M) {
             fill<columns<Equations>>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill(d, e, block); });
         });
     }
@@ -157,7 +157,7 @@ private:
 
     // Fills the matrix of all unknowns by fill_block(d, e, block).
     template <int columns_of_unknowns, class Equations, class FillBlock>
-    static void fill(MatrixX<Scalar>& M, [[maybe_unused]] const Equations& equations, const FillBlock& fill_block) {
+    static void fill(MatrixX<double>& M, [[maybe_unused]] const Equations& equations, const FillBlock& fill_block) {
         if constexpr (columns_of_unknowns == 1) {
             fill_block(std::size_t(0), std::size_t(0), M);
         } else {

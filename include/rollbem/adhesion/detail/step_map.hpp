@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/stage.hpp"
-#include "../../scene/directions.hpp"
+#include "../../rolling/detail/stage.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"
 #include "stage_factors.hpp"
@@ -33,33 +33,33 @@ void multiply(const A& a, const B& b, C& c) {
     }
 }
 
-template <int directions, class Scalar>
+template <int directions>
 class StepMap {
 public:
     static constexpr Eigen::Index k = input_count<directions>;
-    using Square = InputMatrix<directions, Scalar>;
+    using Square = InputMatrix<directions>;
 
     explicit StepMap(Eigen::Index n)
-        : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
+        : Y_(MatrixX<double>::Zero(n, n + k)), map_(MatrixX<double>::Zero(n, n + 2 * k)), product_(map_) {}
 
     /// Whether the map belongs to a model's steps of dq [m].
-    bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
+    bool is_of(std::uint64_t model, double dq) const { return model == model_ && dq == dq_; }
 
     /// Steps of dq [m] of a model, a_0 = `unit` [m]. The map is found for h, which is dq/a_0 halved `doublings` times,
     /// and then doubled as often.
     struct Steps {
         std::uint64_t model;
-        Scalar dq, unit;
+        double dq, unit;
         int doublings;
     };
     /// Computes the map, O(n^3). Powers of Y = part h (G - part h G')^-1 G' give the change of y for h and, applied to
     /// the adjacent columns, the change due to the creepages, whose rigid slip is `slip`. `outputs` turn y into forces.
-    void prepare(const Steps& steps, const Influence<Scalar>& influence, const RationalExponential<Scalar>& rational,
-                 const MatrixX<Scalar>& slip, const MatrixX<Scalar>& outputs, StageFactors<Scalar>& factors) {
+    void prepare(const Steps& steps, const Influence& influence, const RationalExponential& rational,
+                 const MatrixX<double>& slip, const MatrixX<double>& outputs, StageFactors& factors) {
         model_ = steps.model;
         dq_ = steps.dq;
         const Eigen::Index n = Y_.rows();
-        const Scalar distance = rational.part * std::ldexp(steps.dq / steps.unit, -steps.doublings);
+        const double distance = rational.part * std::ldexp(steps.dq / steps.unit, -steps.doublings);
         Y_.leftCols(n) = distance * influence.G_prime;
         Y_.rightCols(k) = (rational.part / steps.unit) * slip;
         factors.prepare(steps.model, influence, {.distance = distance});
@@ -73,9 +73,8 @@ public:
         // two steps become one, with e^w - 1 in place of e^w, so that short steps keep their digits
         for (int doubling = 0; doubling < steps.doublings; ++doubling) {
             multiply(map_.leftCols(n), map_, product_);
-            map_.rightCols(k) =
-                Scalar(0.5) * map_.rightCols(k) + Scalar(0.25) * (map_.middleCols(n, k) + product_.rightCols(k));
-            map_.middleCols(n, k) += Scalar(0.5) * product_.middleCols(n, k);
+            map_.rightCols(k) = 0.5 * map_.rightCols(k) + 0.25 * (map_.middleCols(n, k) + product_.rightCols(k));
+            map_.middleCols(n, k) += 0.5 * product_.middleCols(n, k);
             map_.leftCols(n) += map_.leftCols(n) + product_.leftCols(n);
         }
         map_.rightCols(2 * k) *= -1;
@@ -87,8 +86,7 @@ public:
         }
     }
 
-    void apply(const VectorX<Scalar>& from, const ImposedMotion<directions, Scalar>& motion,
-               VectorX<Scalar>& to) const {
+    void apply(const VectorX<double>& from, const ImposedMotion<directions>& motion, VectorX<double>& to) const {
         const Eigen::Index n = Y_.rows();
         to = from + motion.shift[0] * map_.col(n) + motion.ramp[0] * map_.col(n + k);
         for (Eigen::Index j = 1; j < k; ++j) {
@@ -97,24 +95,31 @@ public:
         to.noalias() += map_.leftCols(n) * from;
     }
 
-    Square tangent(const ImposedMotion<directions, Scalar>& motion) const {
+    Square tangent(const ImposedMotion<directions>& motion) const {
         return motion.shift_per_end * force_per_shift_ + motion.ramp_per_end * force_per_ramp_;
     }
 
 private:
-    void add_power(const RationalExponential<Scalar>& rational, int j) {
+    void add_power(const RationalExponential& rational, int j) {
         const Eigen::Index n = Y_.rows();
         if (j == rational.degree) map_.setZero();
         map_.leftCols(n + k) += rational.b(j) * Y_;
         map_.rightCols(k) += rational.ramp_weight(j) * Y_.rightCols(k);
     }
 
-    MatrixX<Scalar> Y_;
-    MatrixX<Scalar> map_;  // [change, per shift, per ramp]: y_new - y = change y + per_shift v dq + per_ramp dv dq
-    MatrixX<Scalar> product_;
+    MatrixX<double> Y_;
+    MatrixX<double> map_;  // [change, per shift, per ramp]: y_new - y = change y + per_shift v dq + per_ramp dv dq
+    MatrixX<double> product_;
     Square force_per_shift_ = Square::Zero(), force_per_ramp_ = Square::Zero();
     std::uint64_t model_ = 0;
-    Scalar dq_ = -1;
+    double dq_ = -1;
 };
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template class detail::StepMap<1>;
+extern template class detail::StepMap<2>;
+}  // namespace rollbem
+#endif

@@ -206,3 +206,13 @@ VectorX<Scalar> influence_product(const Mesh<Scalar>& mesh, const SchemeRows<Sca
 }
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                 const detail::KernelView<double>&, Quantity);
+extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                  const detail::KernelView<double>&, Quantity,
+                                                                  const VectorX<double>&);
+}  // namespace rollbem
+#endif

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "../../elasticity/kernel_concepts.hpp"
+#include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -34,3 +34,11 @@ KernelView<Scalar>::KernelView(const Kernel& kernel)
       }) {}
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template detail::KernelView<double>::KernelView(const AnyKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const StripKernel<double>&);
+}  // namespace rollbem
+#endif

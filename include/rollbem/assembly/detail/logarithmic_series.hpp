@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/gauss_legendre.hpp"
-#include "../../elasticity/kernel_concepts.hpp"
+#include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"
 

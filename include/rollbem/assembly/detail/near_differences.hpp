@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
-#include "../../elasticity/kernel_concepts.hpp"
+#include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"
 

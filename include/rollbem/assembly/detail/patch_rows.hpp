@@ -14,8 +14,8 @@
 #include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
-#include "../../system/shape_set.hpp"
+#include "../../elasticity/patch_kernel.hpp"
+#include "../../system/detail/shape_set.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -322,3 +322,10 @@ struct LateralSlope {
 };
 
 }  // namespace rollbem::detail
+
+#ifdef ROLLBEM_COMPILED
+namespace rollbem {
+extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
+    const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, bool);
+}  // namespace rollbem
+#endif

@@ -18,12 +18,16 @@ void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2)
 /// The kernel of a contact for one direction of creepage, with its (c1, c2); `model` is the first argument of kernels
 /// that have several models.
 template <class Kernel, class... Model>
-Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact, Model... model) {
-    return Kernel(model..., contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
+Kernel longitudinal_kernel(const Contact& contact, Model... model) {
+    using Scalar = typename Kernel::Scalar;
+    const auto nu = static_cast<Scalar>(contact.poisson_ratio());
+    return Kernel(model..., static_cast<Scalar>(contact.aspect()), 1 - nu, nu);
 }
 template <class Kernel, class... Model>
-Kernel lateral_kernel(const Contact<typename Kernel::Scalar>& contact, Model... model) {
-    return Kernel(model..., contact.aspect(), typename Kernel::Scalar(1), -contact.poisson_ratio());
+Kernel lateral_kernel(const Contact& contact, Model... model) {
+    using Scalar = typename Kernel::Scalar;
+    return Kernel(model..., static_cast<Scalar>(contact.aspect()), Scalar(1),
+                  -static_cast<Scalar>(contact.poisson_ratio()));
 }
 
 }  // namespace rollbem::detail

@@ -8,13 +8,11 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/time_step.hpp"
-#include "../../scene/directions.hpp"
-#include "../../system/along_contact.hpp"
-#include "../../system/elements.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../system/detail/along_contact.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
-#include "../state.hpp"
 #include "slip_dependent_friction.hpp"
 #include "stick_slip.hpp"
 
@@ -52,8 +50,8 @@ struct CoefficientScratch {
 /// tractions. References to values of the caller, made on the stack for one step; bounds are p_n/G.
 template <int directions>
 struct Coefficients {
-    using Step = TimeStep<directions, double>;
-    using Stage = detail::Stage<directions, double>;
+    using Step = TimeStep<directions>;
+    using Stage = detail::Stage<directions>;
 
     const FrictionLaw& law;
     const FrictionMemory& memory;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -62,8 +63,9 @@ public:
             placed_.setZero();
             product_.setZero();
         }
-        for (Index k = 0; k < sticking(); ++k) stuck_[listed(k)] = 0;
+        clear_stuck(stuck_);
         take(matrix, roles);
+        together_ = stick_together();
         uses_pivoted_ = !extend(matrix.group(0));
         is_regular_ = !uses_pivoted_ || pivot(matrix, false);
         is_usable_ = is_regular_ || pivot(matrix, true);
@@ -75,12 +77,23 @@ public:
     /// Finds the tractions of S and the slip of all elements by products with M itself: the slip of S is the error of
     /// its tractions.
     void complete(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
-        for (Index k = 0; k < sticking(); ++k) p[listed(k)] = 0;
-        s.setZero();
-        if (base.constant != nullptr) s = *base.constant;
-        if (!p.isZero(0)) s += product(matrix.group(0), p);
-        stick(matrix.group(0), s);
-        for (Index k = 0; k < sticking(); ++k) p[listed(k)] = stuck_[listed(k)];
+        clear_stuck(p);
+        is_loaded_ = !p.isZero(0);
+        if (is_loaded_) place(matrix.group(0), p);
+        complete_placed(matrix.group(0), base, p, s);
+    }
+    /// Keeps the tractions of the other elements in the last complete(), and M times them, for complete_again().
+    void keep() { kept_ = {revision(), placement_, is_loaded_}; }
+    bool keeps() const { return kept_.revision == revision() && kept_.placement == placement_; }
+    /// complete() with the tractions kept, if keeps(); p need not hold them.
+    void complete_again(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
+        is_loaded_ = kept_.is_loaded;
+        if (is_loaded_) {
+            std::copy_n(placed_.data(), p.size(), p.data());
+        } else {
+            p.setZero();
+        }
+        complete_placed(matrix.group(0), base, p, s);
     }
 
     /// Sets `target` to X_k C_kl Y_l for all sliding elements k and l.
@@ -97,41 +110,93 @@ private:
     static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
     Index listed(Index k) const { return (*this)[sticking() - 1 - k]; }
+    void clear_stuck(Vectors<1>& values) const {
+        for (Index k = 0; k < sticking(); ++k) values[listed(k)] = 0;
+    }
 
-    // M p, kept for the next call: roles and bounds seldom change
-    const Vectors<1>& product(const Matrix& A, const Vectors<1>& p) {
-        if (same_bits(p, placed_)) return product_;
+    // Finds M p in product_, where it stays for the next call: roles and bounds seldom change.
+    void place(const Matrix& A, const Vectors<1>& p) {
+        if (same_bits(p, placed_)) return;
+        ++placement_;
         placed_ = p;
         product_.noalias() = A * p;
-        return product_;
+    }
+    // Completes p and s from product_, unless the other elements have no traction.
+    void complete_placed(const Matrix& A, const Base& base, Vectors<1>& p, Vectors<1>& s) {
+        if (base.constant == nullptr) {
+            s.setZero();
+            if (is_loaded_) s += product_;
+        } else if (is_loaded_) {
+            s = *base.constant + product_;
+        } else {
+            s = *base.constant;
+        }
+        stick(A, s);
+        if (together_) {
+            stuck(p) = stuck(stuck_);
+        } else {
+            for (Index k = 0; k < sticking(); ++k) p[listed(k)] = stuck_[listed(k)];
+        }
     }
     // Finds the tractions of S, in stuck_, from the slip without them, and adds the slip that they cause.
     void stick(const Matrix& A, Vectors<1>& s) {
         const Index count = sticking();
         if (count == 0) return;
-        for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
+        if (together_) {
+            right_.head(count) = stuck(s).reverse();
+        } else {
+            for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
+        }
         if (uses_pivoted_) {
             solve_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         } else {
             multiply<lower>(lower_, count, right_, solution_);
             multiply<upper>(upper_, count, solution_, right_);
         }
-        for (Index k = 0; k < count; ++k) stuck_[listed(k)] = -right_[k];
+        if (together_) {
+            stuck(stuck_) = -right_.head(count).reverse();
+        } else {
+            for (Index k = 0; k < count; ++k) stuck_[listed(k)] = -right_[k];
+        }
         // the columns from the first to the last element of S
         const Index first = listed(count - 1), length = listed(0) - first + 1;
         s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
     }
-    // y = A x of a triangle, by panels of columns that leave out most of its zeros.
+    // y = A x of a triangle, whose zeros are left out by blocks of eight rows. The sum of a row goes by panels of columns,
+    // as in Eigen's products of panels.
     enum Triangle { lower, upper };
+    static constexpr Index panel = 16, rows_together = 8;
     template <Triangle triangle>
-    static void multiply(const Matrix& A, Index count, const Vector& x, Vector& y) {
-        constexpr Index panel = 16;
-        y.head(count).setZero();
-        for (Index j = 0; j < count; j += panel) {
-            const Index width = (std::min)(panel, count - j), row = triangle == lower ? j : 0;
-            const Index height = (triangle == lower ? count : j + width) - row;
-            y.segment(row, height).noalias() += A.block(row, j, height, width) * x.segment(j, width);
+    static void multiply(const Matrix& A, Index count, const VectorX<double>& x, VectorX<double>& y) {
+        using Block = Eigen::Array<double, rows_together, 1>;
+        Index i = 0;
+        for (; i < count && i + rows_together <= A.rows(); i += rows_together) {
+            const Index first = triangle == lower ? 0 : i;
+            const Index last = triangle == lower ? (std::min)(count, i + rows_together) : count;
+            Block total = Block::Zero();
+            for (Index j = first; j < last;) {
+                const Index end = (std::min)(last, (j / panel + 1) * panel);
+                Block sum = Block::Zero();
+                for (; j < end; ++j) sum += Eigen::Map<const Block>(&A(i, j)) * x[j];
+                total += sum;
+            }
+            Eigen::Map<Block> rows(&y[i]);
+            rows = total;
         }
+        for (; i < count; ++i) y[i] = row_times<triangle>(A, i, count, x);
+    }
+    // Row i of A x.
+    template <Triangle triangle>
+    static double row_times(const Matrix& A, Index i, Index count, const VectorX<double>& x) {
+        const Index last = triangle == lower ? i + 1 : count;
+        double total = 0;
+        for (Index j = triangle == lower ? 0 : i; j < last;) {
+            const Index end = (std::min)(last, (j / panel + 1) * panel);
+            double sum = 0;
+            for (; j < end; ++j) sum += A(i, j) * x[j];
+            total += sum;
+        }
+        return total;
     }
     // y = A^T x, by four columns.
     template <Triangle triangle>
@@ -201,7 +266,13 @@ private:
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors
     Index nested_count_ = 0;
-    bool uses_pivoted_ = false;
+    bool uses_pivoted_ = false, together_ = false;
+    bool is_loaded_ = false;       // the other elements have had tractions in the last complete()
+    std::uint64_t placement_ = 1;  // changes with placed_ and product_
+    struct {
+        std::uint64_t revision = 0, placement = 0;
+        bool is_loaded = false;
+    } kept_;
 };
 
 }  // namespace rollbem::detail

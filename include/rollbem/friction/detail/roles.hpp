@@ -11,8 +11,6 @@
 
 #include "../../detail/array_functions.hpp"
 #include "../../detail/length.hpp"
-#include "../../types.hpp"
-#include "../state.hpp"
 
 namespace rollbem::detail {
 
@@ -32,6 +30,16 @@ using ElementVector = Eigen::Matrix<double, 1, directions>;
 
 inline double length(const ElementVector<1>& v) { return std::abs(v[0]); }
 inline double length(const ElementVector<2>& v) { return length(v[0], v[1]); }
+
+template <int directions>
+double largest_length(const Vectors<directions>& vectors) {
+    if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
+    double result = 0;
+    for (Index i = 0; i < vectors.rows(); ++i) {
+        result = (std::max)(result, length(ElementVector<directions>(vectors.row(i))));
+    }
+    return result;
+}
 
 /// The sine of the angle from one vector to another, times both lengths; 0 with one direction.
 template <int directions>
@@ -86,6 +94,13 @@ public:
     Index others() const { return size() - sticking_; }  ///< number of elements that do not stick
     Index operator[](Index k) const { return elements_[static_cast<std::size_t>(k)]; }
     Index other(Index k) const { return (*this)[sticking_ + k]; }  ///< k-th of them; sliding ones come first
+    /// Whether the elements that stick follow one another.
+    bool stick_together() const { return sticking_ == 0 || (*this)[sticking_ - 1] - (*this)[0] == sticking_ - 1; }
+    /// The entries of elements that stick together.
+    template <class Values>
+    auto stuck(Values& values) const {
+        return values.segment(sticking_ == 0 ? 0 : (*this)[0], sticking_);
+    }
 
     template <class Matrix>
     bool are_of(const Matrix& matrix, const std::vector<Role>& roles) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -16,15 +17,15 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../normal/load.hpp"
-#include "../../rolling/rigid_slip.hpp"
-#include "../../rolling/stage_equations.hpp"
-#include "../../rolling/time_step.hpp"
-#include "../../scene/contact_units.hpp"
-#include "../../scene/directions.hpp"
-#include "../../scene/force.hpp"
-#include "../../scene/semi_axes.hpp"
+#include "../../rolling/detail/rigid_slip.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../scene/creepage.hpp"
+#include "../../scene/detail/contact_units.hpp"
+#include "../../scene/detail/directions.hpp"
+#include "../../scene/patch_contact.hpp"
 #include "../../status.hpp"
-#include "../../system/element_blocks.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
@@ -39,13 +40,13 @@ template <int directions>
 struct ContactData {
     /// `along` is the direction of a system of one, 0 longitudinal or 1 lateral; else 0. Throws std::invalid_argument,
     /// in the name of `who`, if the law is invalid for the system.
-    ContactData(const char* who, const ContactUnits<double>& contact_units, ElementSystem<double, directions> of,
+    ContactData(const char* who, const ContactUnits& contact_units, ElementSystem<double, directions> of,
                 const Friction& friction, Index along = 0);
 
     ElementSystem<double, directions> system;
-    ContactUnits<double> units;
-    RigidSlip<directions, double> rigid;
-    ContactForces<directions, double> forces;
+    ContactUnits units;
+    RigidSlip<directions> rigid;
+    ContactForces<directions> forces;
     Index direction;
     bool rotates;  ///< slip is rotated to its direction at the centres
     SlipWork work;
@@ -67,13 +68,13 @@ struct ContactData {
         return vectors.template middleCols<directions>(direction);
     }
     // Unit [J] of the work of tractions in G and displacements in a_0.
-    double energy_unit(const SemiAxes<double>& at) const {
+    double energy_unit(const SemiAxes& at) const {
         return units.width * units.length * units.length * units.shear_modulus * at.half_length * at.half_width;
     }
 };
 
 template <int directions>
-ContactData<directions>::ContactData(const char* who, const ContactUnits<double>& contact_units,
+ContactData<directions>::ContactData(const char* who, const ContactUnits& contact_units,
                                      ElementSystem<double, directions> of, const Friction& friction, Index along)
     : system(std::move(of)),
       units(contact_units),
@@ -133,7 +134,7 @@ struct TangentScratch {
     struct Memo {
         std::uint64_t revision = 0;  ///< of the linear equations; 0 if nothing is kept
         double factor_by_end = 0;
-        SemiAxes<double> axes = contact_axes<double>;
+        SemiAxes axes = contact_axes;
         double tangent = 0;  ///< of the force, if the stage was the last
     };
     std::array<Memo, 3> memo;  ///< of the first of two stages, of a single stage, and of the second stage
@@ -153,14 +154,15 @@ struct StepScratch {
           first(Vectors<directions>::Zero(n, directions)),
           change(first),
           slip(first),
-          work(VectorX<double>::Zero(n)) {
+          work(VectorX<double>::Zero(n)),
+          pressure(ArrayX<double>::Zero(n)) {
         start.fill(first);
         displacement.fill(first);
     }
 
     /// The contact and the stage to which the solver's matrix belongs.
     std::uint64_t matrices = 0;
-    std::optional<RollingStage<double>> geometry;
+    std::optional<RollingStage> geometry;
     StickSlipSolver<directions> solver;
     StageProblem<directions> problem;
     StageSolution<directions> solution;
@@ -169,15 +171,29 @@ struct StepScratch {
     OfHistories start, displacement;  ///< tractions and displacements from which a stage starts
     Vectors<directions> first;        ///< tractions after the first of two stages
     Vectors<directions> change;       ///< slip of the stage, weighted
-    Vectors<directions> slip;         ///< summed over the stages
-    VectorX<double> work;             ///< summed over the stages
+    Vectors<directions> slip;         ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
+    double slip_unit = 1;
+    VectorX<double> work;  ///< summed over the stages
+    /// Pressures of the present bounds, which are valid [Pa], and bound per pressure; 0 if bounds are of no load.
+    ArrayX<double> pressure;
+    double bound_per_pressure = 0;
+
+    bool is_of(const ArrayX<double>& normal_pressure, double per_pressure) const {
+        return bound_per_pressure == per_pressure && has(normal_pressure);
+    }
+    /// Whether these pressures are known to be valid.
+    bool has(const ArrayX<double>& normal_pressure) const {
+        return normal_pressure.size() >= pressure.size() &&
+               std::memcmp(normal_pressure.data(), pressure.data(),
+                           static_cast<std::size_t>(pressure.size()) * sizeof(double)) == 0;
+    }
 };
 
 /// What a step is solved from, and its memory: references to values of the caller, made on the stack for one step.
 template <int directions>
 struct StepView {
     const ContactData<directions>& contact;
-    const TimeStep<directions, double>& step;
+    const TimeStep<directions>& step;
     const FrictionState& from;
     const LoadAtEnd& load;
     StepScratch<directions>& scratch;
@@ -216,7 +232,6 @@ void begin(const StepView<directions>& view) {
     if (asked[By::load])
         scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();
 
-    scratch.slip.setZero();
     scratch.work.setZero();
     scratch.problem.two_histories = contact.rotates && !step.steady;
     for (std::size_t k = 0; k < view.histories(); ++k) {
@@ -234,11 +249,11 @@ void begin(const StepView<directions>& view) {
 /// Fills A of a stage, unless the solver has it. In steady rolling of a contact of constant shape A is -G' at any
 /// semi-axes.
 template <int directions>
-void set_matrix(const ContactData<directions>& contact, const Stage<directions, double>& now,
+void set_matrix(const ContactData<directions>& contact, const Stage<directions>& now,
                 StepScratch<directions>& scratch) {
     SlipMatrix<directions>& A = scratch.solver.matrix;
     const bool is_kept = now.geometry.steady && !changes_shape(contact.system);
-    const auto geometry = is_kept ? RollingStage<double>::steadily(contact_axes<double>) : now.geometry;
+    const auto geometry = is_kept ? RollingStage::steadily(contact_axes) : now.geometry;
     if (scratch.matrices == contact.matrices && scratch.geometry == geometry) return;
     scratch.matrices = contact.matrices;
     scratch.geometry = geometry;
@@ -255,12 +270,16 @@ void set_matrix(const ContactData<directions>& contact, const Stage<directions, 
 /// Sets the bounds of a stage, or p_n/G if mu depends on slip. Bounds that are negligible become 0; with two
 /// directions, whose slip is judged by squares, bounds whose squares lose digits.
 template <int directions>
-void set_bounds(const StepView<directions>& view, const Stage<directions, double>& now) {
+void set_bounds(const StepView<directions>& view, const Stage<directions>& now) {
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
+    const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
+    if (is_whole && scratch.is_of(load.pressure, contact.bound_per_pressure())) return;
+    scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
+    if (is_whole) scratch.pressure = load.pressure.head(contact.size());
     VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
     const auto end = load.pressure.head(contact.size());
-    if (load.pressure_rate == nullptr || now.place.is_last()) {
+    if (is_whole) {
         bound = contact.bound_per_pressure() * end.matrix();
     } else {
         const auto& start = from.normal_pressure;
@@ -272,7 +291,7 @@ void set_bounds(const StepView<directions>& view, const Stage<directions, double
 
 /// Sets bounds and constants c of a stage: the rigid slip minus the displacements from which it starts.
 template <int directions>
-void set_problem(const StepView<directions>& view, const Stage<directions, double>& now) {
+void set_problem(const StepView<directions>& view, const Stage<directions>& now) {
     const auto& [contact, step, from, load, scratch] = view;
     set_bounds(view, now);
     for (std::size_t k = 0; k < view.histories(); ++k) {
@@ -285,14 +304,17 @@ void set_problem(const StepView<directions>& view, const Stage<directions, doubl
         }
         // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
         // first
-        const bool has_decayed = c.cwiseAbs().maxCoeff() < negligible<double> && all_finite(c);
-        if (has_decayed) c.setZero();
+        scratch.problem.measure(k);
+        double& imposed = scratch.problem.imposed[k];
+        if (!(imposed < negligible<double> && all_finite(c))) continue;
+        c.setZero();
+        imposed = 0;
     }
 }
 
 /// Solves a stage and adds its slip and work to the sums.
 template <int directions>
-void solve_stage(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
+void solve_stage(const StepView<directions>& view, const Stage<directions>& now, FrictionStep& result) {
     const auto& [contact, step, from, load, scratch] = view;
     const StageView<directions> stage = view.stage();
     auto& solution = stage.solution;
@@ -309,29 +331,28 @@ void solve_stage(const StepView<directions>& view, const Stage<directions, doubl
     result.complementarity_residual = (std::max)(result.complementarity_residual, solution.residual);
     result.rounds += solution.rounds;
     result.path_points += solution.path_points;
-    if (!is_finite(solution.residual) || !all_finite(solution.slip())) {  // std::max may drop a NaN
+    if (!is_finite(solution.residual)) {  // std::max may drop a NaN
         result.status = Status::not_finite;
     } else if (solution.status != Status::ok && result.status != Status::not_finite) {
         result.status = solution.status;
     }
-    scratch.change = now.weight * solution.slip();
-    scratch.slip += scratch.change;
-    for (std::size_t k = 0; k < view.histories(); ++k) {
-        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
-    }
-    const SemiAxes<double> axes = now.geometry.axes();
+    Vectors<directions>& slip = now.place.is_second ? scratch.change : scratch.slip;
+    slip = (now.weight * solution.slip().array() + 0.0).matrix();  // no zero is negative
+    if (now.place.is_second) scratch.slip += slip;
+    const SemiAxes axes = now.geometry.axes();
     for (Index d = 0; d < directions; ++d) {
-        contact.work.add(solution.traction().col(d), scratch.change.col(d), scratch.work,
-                         axes.half_length * axes.half_width);
+        contact.work.add(solution.traction().col(d), slip.col(d), scratch.work, axes.half_length * axes.half_width);
     }
 }
 
 /// Sets the displacements from which the second stage starts, U + ratio (U_1 - U).
 template <int directions>
-void start_second(const StepView<directions>& view, const Stage<directions, double>& now) {
+void start_second(const StepView<directions>& view, const Stage<directions>& now) {
     StepScratch<directions>& scratch = view.scratch;
-    if (view.contact.varies()) scratch.first = scratch.solution.traction();
+    const StageSolution<directions>& solution = scratch.solution;
+    if (view.contact.varies()) scratch.first = solution.traction();
     for (std::size_t k = 0; k < view.histories(); ++k) {
+        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
         Vectors<directions>& U = scratch.displacement[k];
         find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
         U += now.place.ratio() * (scratch.change - U);
@@ -341,7 +362,7 @@ void start_second(const StepView<directions>& view, const Stage<directions, doub
 /// Finds dp of a solved stage by a parameter while no element changes its zone. False, and dp is not computed, if the
 /// Memo still holds.
 template <int directions>
-bool find_response(const StepView<directions>& view, const Stage<directions, double>& now, std::size_t parameter) {
+bool find_response(const StepView<directions>& view, const Stage<directions>& now, std::size_t parameter) {
     const auto& [contact, step, from, load, scratch] = view;
     const StageView<directions> stage = view.stage();
     const StageSolution<directions>& solution = scratch.solution;
@@ -384,7 +405,7 @@ bool find_response(const StepView<directions>& view, const Stage<directions, dou
 
 /// Keeps the change that dp of the first of two stages causes in the constants of the second.
 template <int directions>
-void carry_response(const StepView<directions>& view, const Stage<directions, double>& now, std::size_t parameter) {
+void carry_response(const StepView<directions>& view, const Stage<directions>& now, std::size_t parameter) {
     TangentScratch<directions>& own = view.scratch.tangents;
     const StageSolution<directions>& solution = view.scratch.solution;
     const bool two = view.histories() == 2;
@@ -401,7 +422,7 @@ void carry_response(const StepView<directions>& view, const Stage<directions, do
 
 /// The derivative of the forces by a parameter at the end of the step, from dp of its last stage.
 template <int directions>
-InputVector<directions, double> tangent_by(const StepView<directions>& view, std::size_t parameter) {
+InputVector<directions> tangent_by(const StepView<directions>& view, std::size_t parameter) {
     using By = Parameters<directions>;
     const ContactData<directions>& contact = view.contact;
     const auto& p = view.scratch.solution.traction();
@@ -412,21 +433,21 @@ InputVector<directions, double> tangent_by(const StepView<directions>& view, std
 
 /// Forces in two directions: 0 across the direction of a contact of one, with an unknown moment.
 template <int directions>
-TangentialForce<double> raised(const InputVector<directions, double>& forces, [[maybe_unused]] Index direction) {
+TangentialForce raised(const InputVector<directions>& forces, [[maybe_unused]] Index direction) {
     if constexpr (directions == 2) {
         return {forces[0], forces[1], forces[2]};
     } else {
         if (!is_finite(forces[0])) return {};
-        return direction == 0 ? TangentialForce<double>{forces[0], 0} : TangentialForce<double>{0, forces[0]};
+        return direction == 0 ? TangentialForce{forces[0], 0} : TangentialForce{0, forces[0]};
     }
 }
 
 /// Sets the tangent of a result by a parameter. No force depends on creepage across the direction of a contact of one.
 template <int directions>
-void set_tangent(const ContactData<directions>& contact, std::size_t parameter,
-                 const InputVector<directions, double>& forces, FrictionStep& result) {
+void set_tangent(const ContactData<directions>& contact, std::size_t parameter, const InputVector<directions>& forces,
+                 FrictionStep& result) {
     using By = Parameters<directions>;
-    const TangentialForce<double> tangent = raised<directions>(forces, contact.direction);
+    const TangentialForce tangent = raised<directions>(forces, contact.direction);
     if (parameter == By::load) {
         result.tangent_by_load = tangent;
     } else if (parameter == By::half_length) {
@@ -446,7 +467,7 @@ void set_tangent(const ContactData<directions>& contact, std::size_t parameter,
 /// Adds the tangents at the end of the last or only stage to the result; keeps the responses of the first of two stages
 /// for the second.
 template <int directions>
-void add_tangents(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
+void add_tangents(const StepView<directions>& view, const Stage<directions>& now, FrictionStep& result) {
     TangentScratch<directions>& own = view.scratch.tangents;
     for (std::size_t j = 0; j < own.asked.size(); ++j) {
         if (!own.asked[j]) continue;
@@ -456,7 +477,7 @@ void add_tangents(const StepView<directions>& view, const Stage<directions, doub
             continue;
         }
         auto& memo = own.memo[now.place.is_second ? 2 : 1];
-        InputVector<directions, double> tangent = InputVector<directions, double>::Constant(memo.tangent);
+        InputVector<directions> tangent = InputVector<directions>::Constant(memo.tangent);
         if (is_new) tangent = tangent_by(view, j);
         if (directions == 1 && j == 0) memo.tangent = tangent[0];
         set_tangent(view.contact, j, tangent, result);
@@ -488,7 +509,10 @@ double jump_work(const StepView<directions>& view) {
     const Vectors<directions>& end = scratch.solution.traction();
     const double unit = contact.energy_unit(step.end);
     change = end - start;
-    if (!step.rolls()) return unit * contact.work.product(change, scratch.slip) / (2 * contact.units.length);
+    if (!step.rolls()) {
+        displacement = contact.units.length * scratch.slip;
+        return unit * contact.work.product(change, displacement) / (2 * contact.units.length);
+    }
     const bool two_stages = step.stage_count() == 2;
     if (two_stages) scratch.first -= start;
     // the tractions have settled: J is below the rounding of the energies
@@ -509,12 +533,11 @@ double jump_work(const StepView<directions>& view) {
 template <int directions>
 void finish(const StepView<directions>& view, FrictionStep& result, FrictionState& to) {
     const auto& [contact, step, from, load, scratch] = view;
-    const ContactUnits<double>& units = contact.units;
+    const ContactUnits& units = contact.units;
     const StageSolution<directions>& solution = scratch.solution;
-    const double slip_unit = step.steady ? 1.0 : units.length;
-    contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * slip_unit);
-    scratch.slip *= slip_unit;
-    const InputVector<directions, double> forces = contact.forces.of(solution.traction(), step.end);
+    scratch.slip_unit = step.steady ? 1.0 : units.length;
+    contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * scratch.slip_unit);
+    const InputVector<directions> forces = contact.forces.of(solution.traction(), step.end);
     result.force = raised<directions>(forces, contact.direction);
     result.slip_work = scratch.work.sum();
     if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
@@ -526,13 +549,13 @@ void finish(const StepView<directions>& view, FrictionStep& result, FrictionStat
     }
     result.jump_work = jump_work(view);
     result.stick_count = solution.stick_count;
-    if (directions == 1) to.traction.setZero();
+    if (directions == 1) to.traction.col(1 - contact.direction).setZero();
     contact.along(to.traction) = units.shear_modulus * solution.traction();
     if constexpr (directions == 2) {
         if (contact.rotates) to.unrotated_traction = units.shear_modulus * solution.pass[0].traction;
     }
     to.zones = solution.zones;
-    to.normal_pressure = load.pressure.head(contact.size());
+    std::copy_n(load.pressure.data(), contact.size(), to.normal_pressure.data());
     to.half_length = load.half_length;
     to.half_width = load.half_width;
     to.system = contact.fingerprint;
@@ -551,7 +574,7 @@ FrictionStep solve(const StepView<directions>& view, FrictionState& to) noexcept
     begin(view);
     bool has_tangents = view.contact.with_tangents;
     for (int number = 1; number <= view.step.stage_count(); ++number) {
-        const Stage<directions, double> now = view.step.stage(number);
+        const Stage<directions> now = view.step.stage(number);
         solve_stage(view, now, result);
         has_tangents = has_tangents && view.scratch.solution.has_tangent;
         if (has_tangents) add_tangents(view, now, result);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -91,6 +90,7 @@ public:
             solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
             solution.has_tangent = false;
         }
+        solution.at_once = false;  // bounds have changed since start()
         solution.rounds = search.rounds;
         solution.path_points = search.path_points;
         solution.residual = is_finite(outcome.change) ? (std::max)(solution.residual, outcome.change) : outcome.change;

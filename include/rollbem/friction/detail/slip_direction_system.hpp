@@ -10,7 +10,6 @@
 
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "condensed_slip.hpp"
 #include "roles.hpp"
 #include "slip_matrix.hpp"

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../system/centre_values.hpp"
+#include "../../system/detail/centre_values.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "roles.hpp"

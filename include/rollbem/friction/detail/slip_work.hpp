@@ -5,10 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "../../system/centre_values.hpp"
-#include "../../system/elements.hpp"
+#include "../../system/detail/centre_values.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "roles.hpp"
 
 namespace rollbem::detail {
@@ -39,10 +38,20 @@ public:
 
     /// Adds -p s dx of each element to `work`. The widths dx grow with the contact: `half_length` is the present
     /// half-length over the reference one, on a patch times the same ratio of the half-widths.
-    template <class Traction, class Slip>
-    void add(const Traction& traction, const Slip& slip, VectorX<double>& work, double half_length = 1) const {
-        for (Index i = 0; i < widths_.size(); ++i) {
+    void add(const Eigen::Ref<const VectorX<double>>& traction, const Eigen::Ref<const VectorX<double>>& slip,
+             VectorX<double>& work, double half_length = 1) const {
+        using Some = Eigen::Array<double, together, 1>;
+        const auto some = [](const double* first) { return Eigen::Map<const Some>(first); };
+        const ArrayX<double>& shares = centres_.shares();
+        const Index n = widths_.size();
+        Index i = 0;
+        for (; i < n - shares.size() / together * together; ++i) {
             work[i] -= half_length * widths_[i] * traction[i] * centres_.at(i, slip);
+        }
+        for (; i < n; i += together) {
+            const Some behind = some(slip.data() + i - 1), ahead = some(slip.data() + i);
+            Eigen::Map<Some>(&work[i]) -= half_length * some(&widths_[i]) * some(traction.data() + i) *
+                                          (behind + some(&shares[i - 1]) * (ahead - behind));
         }
     }
 
@@ -63,11 +72,16 @@ public:
     /// energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within an
     /// element.
     void end(VectorX<double>& work, double unit = 1) const {
-        if (!turned_) work = work.cwiseMax(0.0);
-        work *= unit;
+        if (turned_) {
+            work *= unit;
+        } else {
+            work = unit * work.cwiseMax(0.0);
+        }
     }
 
 private:
+    static constexpr Index together = 4;
+
     ArrayX<double> widths_;
     CentreValues<double> centres_;
     bool turned_;

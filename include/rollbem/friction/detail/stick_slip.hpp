@@ -15,15 +15,14 @@
 
 #include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
-#include "../../scene/directions.hpp"
+#include "../../scene/detail/directions.hpp"
 #include "../../status.hpp"
-#include "../../system/centre_values.hpp"
+#include "../../system/detail/centre_values.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "condensed_slip.hpp"
 #include "homotopy.hpp"
 #include "nested_stick.hpp"
-#include "problem_view.hpp"
 #include "roles.hpp"
 #include "slip_direction_system.hpp"
 #include "slip_matrix.hpp"
@@ -42,9 +41,13 @@ struct StageProblem {
         constant.fill(Vectors<directions>::Zero(n, directions));
     }
 
-    PerPass<directions> constant;  ///< c of the unrotated and of the rotated pass
-    VectorX<double> bound;         ///< b, finite and not negative
-    bool two_histories = false;    ///< else both passes have the c of the first
+    /// To be called when the constants have changed.
+    void measure(std::size_t history) { imposed[history] = largest_length<directions>(constant[history]); }
+
+    PerPass<directions> constant;                           ///< c of the unrotated and of the rotated pass
+    std::array<double, std::size_t(directions)> imposed{};  ///< max |c_i|, by measure()
+    VectorX<double> bound;                                  ///< b, finite and not negative
+    bool two_histories = false;                             ///< else both passes have the c of the first
 };
 
 /// Tractions and slip, and the roles of the elements in them.
@@ -66,7 +69,8 @@ struct StageSolution {
           rotation(n),
           against_slip(Vectors<directions>::Zero(n, directions)),
           slides(VectorX<double>::Zero(n)),
-          zones(static_cast<std::size_t>(n), Zone::stick) {}
+          zones(static_cast<std::size_t>(n), Zone::stick),
+          bound(slides) {}
 
     const Vectors<directions>& traction() const { return pass[last].traction; }
     /// Tractions of the pass to which StageProblem::constant[history] belongs.
@@ -88,6 +92,9 @@ struct StageSolution {
     int path_points = 0;         ///< points of the Homotopy; 0 if Newton's method sufficed
     double residual = 0;
     bool has_tangent = false;  ///< whether the solver can respond()
+    VectorX<double> bound;     ///< of the solution
+    bool at_once = false;      ///< the first Newton step has led to it, with one direction and given bounds
+    bool repeats = false;      ///< the next search has its zones and bounds
     Status status = Status::not_finite;
 };
 
@@ -159,6 +166,9 @@ public:
                Solution& solution) {
         for (auto& base : base_) base.forget();
         solution.has_rotated = false;
+        solution.repeats =
+            solution.at_once && same_bits(zones, solution.zones) && same_bits(problem.bound, solution.bound);
+        if (solution.repeats) return;
         if (problem.two_histories) difference_ = traction.back() - traction[0];
         Roles<directions>& roles = solution.pass[0].roles;
         for (Index i = 0; i < size(); ++i) {
@@ -175,9 +185,14 @@ public:
         solution.rounds = solution.path_points = 0;
         solution.last = 0;
         solution.rotation.stop();
-        adapt(problem.bound, solution.pass[0]);
+        const bool repeats = std::exchange(solution.repeats, false);
+        solution.at_once = false;
+        if (!repeats) {
+            adapt(problem.bound, solution.pass[0]);
+            if (directions == 1) solution.bound = problem.bound;
+        }
         const ProblemView<directions> unrotated = view(problem, 0, unrotated_);
-        const Search first{unrotated, 0, centres != nullptr, solution};
+        const Search first{unrotated, 0, centres != nullptr, solution, repeats};
         bool found = find(first, first_share);
         if (centres != nullptr && found) {
             bool rotates = set_rotation(*centres, problem, solution);
@@ -188,7 +203,11 @@ public:
             }
             if (rotates) found = solve_rotated(problem, solution);
         }
-        check(problem, solution);
+        if (repeats && solution.at_once) {
+            check_again(unrotated, solution);
+        } else {
+            check(problem, solution);
+        }
         solution.has_tangent = found && with_tangent && factorise(problem, solution);
         const bool solved = is_finite(solution.residual) && solution.residual <= 10000 * rounding(size());
         solution.status = solved ? Status::ok : Status::no_solution;
@@ -231,12 +250,14 @@ public:
 private:
     using Eliminated = ByDirections<directions, NestedStick, CondensedSlip>;
 
-    // One search, for the solution of one pass. `roughly`: a point near a solution is enough.
+    // One search, for the solution of one pass. `roughly`: a point near a solution is enough. `repeats`: roles and
+    // bounds are those of the last solution, found at once.
     struct Search {
         const ProblemView<directions>& problem;
         std::size_t number;
         bool roughly;
         Solution& solution;
+        bool repeats = false;
 
         Pass<directions>& pass() const { return solution.pass[number]; }
     };
@@ -259,16 +280,11 @@ private:
 
     Index size() const { return matrix.size(); }
     static double rounding(Index n) { return static_cast<double>(n + 10) * epsilon; }
-    static double largest(const Vectors<directions>& vectors) {
-        if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
-        double result = 0;
-        for (Index i = 0; i < vectors.rows(); ++i) result = (std::max)(result, length(Row(vectors.row(i))));
-        return result;
-    }
     ProblemView<directions> view(const Problem& problem, std::size_t pass, const SlipRotation<directions>& rotation) {
         const std::size_t history = problem.two_histories ? pass : 0;
-        const auto& c = problem.constant[history];
-        return {matrix, c, problem.bound, rotation, matrix.projection_step(), largest(c), history};
+        return {matrix,   problem.constant[history], problem.bound,
+                rotation, matrix.projection_step(),  problem.imposed[history],
+                history};
     }
     // An elimination is kept for each pass; both usually have the same roles and share one. Null: singular.
     Eliminated* eliminate(std::size_t pass, const Roles<directions>& roles) {
@@ -323,11 +339,13 @@ private:
 
     // Searches from the roles of a pass. False if there is no solution: the pass then is the best point found. See
     // newton() for `share`.
-    bool find(const Search& search, double share) {
+    bool find(Search search, double share) {
         const auto& problem = search.problem;
         Roles<directions>& roles = search.pass().roles;
         least_ = huge;
         bool found = newton(search, most_steps, share);
+        search.solution.at_once = found && fits_at_once_;
+        search.repeats = false;  // other starts may have the same roles in other directions
         if (!found) {
             for (Index i = 0; i < size(); ++i) {
                 const Row against = -problem.rotation.turned(i, Row(problem.constant.row(i)));
@@ -364,6 +382,7 @@ private:
     }
     bool iterate(const Search& search, int steps, double share);
     bool take_step(const Search& search, Eliminated& at);
+    bool fits_at_once(const Search& search, const Eliminated& at);
     double natural_residual(const Search& search);
 
     // |p - P(p - rho R s)| of an element.
@@ -458,6 +477,7 @@ private:
     }
 
     void check(const Problem& problem, Solution& solution);
+    void check_again(const ProblemView<directions>& problem, Solution& solution);
     // Factorises the equations of each pass that tangents need. False if they are singular to working precision.
     bool factorise(const Problem& problem, Solution& solution) {
         bool regular = true;
@@ -499,6 +519,7 @@ private:
     std::uint64_t roles_revision_ = 0;
     int refinements_ = 0;
     bool is_rough_ = false;  // the last search ended near a solution
+    bool fits_at_once_ = false;
 };
 
 template <int directions>
@@ -507,13 +528,27 @@ bool StickSlipSolver<directions>::iterate(const Search& search, int steps, doubl
     Pass<directions>& pass = search.pass();
     auto& base = base_[problem.history];
     double before = huge;
-    is_rough_ = false;
+    is_rough_ = fits_at_once_ = false;
     for (int step = 0; step < steps; ++step) {
         Eliminated* at = eliminate(search.number, pass.roles);
         if (at == nullptr) return false;
         at->find_base(matrix, refinements_ > 0 ? &refined_ : &problem.constant, base);
         ++search.solution.rounds;
-        if (!take_step(search, *at)) return false;
+        if constexpr (directions == 1) {
+            if (step == 0 && search.repeats && at->keeps()) {
+                at->complete_again(matrix, base, trial_, trial_slip_);
+            } else {
+                take_step(search, *at);
+                at->keep();
+            }
+            if (step == 0 && refinements_ == 0 && fits_at_once(search, *at)) {
+                pass.traction.swap(trial_);
+                pass.slip.swap(trial_slip_);
+                return fits_at_once_ = true;
+            }
+        } else if (!take_step(search, *at)) {
+            return false;
+        }
         double residual = natural_residual(search);
         const bool stalls = !(residual < before), done = holds(stalls ? 1000 : 1);
         if (!done && stalls) residual = shorten(search, before);
@@ -562,6 +597,34 @@ bool StickSlipSolver<directions>::take_step(const Search& search, Eliminated& at
         }
     }
     at.complete(matrix, base, trial_, trial_slip_);
+    return true;
+}
+
+// Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so, clears
+// the slip of sticking elements.
+template <int directions>
+bool StickSlipSolver<directions>::fits_at_once(const Search& search, const Eliminated& at) {
+    const auto& problem = search.problem;
+    double error = 0, most = 0, creep = 0, sum = 0;
+    if (!at.stick_together()) return false;
+    if (at.sticking() > 0) {
+        // a traction that is NaN makes all slip NaN
+        if (!((at.stuck(problem.bound) - at.stuck(trial_).cwiseAbs()).minCoeff() >= 0)) return false;
+        error = at.stuck(trial_slip_).cwiseAbs().maxCoeff();
+    }
+    for (Index k = 0; k < at.others(); ++k) {
+        const Index i = at.other(k);
+        const double slip = trial_slip_(i, 0);
+        most = (std::max)(most, std::abs(slip - problem.constant(i, 0)));
+        creep = (std::max)(creep, search.pass().roles.direction(i, 0) * slip);  // 0 for free ones
+        sum += slip;
+    }
+    const double scale = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
+    if (!is_finite(sum) || !(creep <= 4 * scale) || !(error <= 4 * scale)) return false;
+    at.stuck(trial_slip_).setZero();
+    error_ = error;
+    creep_ = creep;
+    slip_scale_ = scale;
     return true;
 }
 
@@ -636,9 +699,33 @@ void StickSlipSolver<directions>::check(const Problem& problem, Solution& soluti
     }
     if (!is_same) ++solution.revision;
     const double most = bound.maxCoeff();
-    const double imposed = largest(problem.constant[problem.two_histories ? solution.last : 0]);
+    const double imposed = problem.imposed[problem.two_histories ? solution.last : 0];
     solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+// check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
+// stick can differ.
+template <int directions>
+void StickSlipSolver<directions>::check_again(const ProblemView<directions>& problem, Solution& solution) {
+    Pass<directions>& pass = solution.pass[0];
+    const Eliminated& at = eliminated_[0];
+    for (Index k = 0; creep_ > 0 && k < at.sliding(); ++k) {
+        double& slip = pass.slip(at.other(k), 0);
+        const double along = pass.roles.direction(at.other(k), 0);
+        slip = (std::min)(along * slip, 0.0) * along;
+    }
+    bool is_same = true;
+    for (Index k = at.sliding(); k < at.others(); ++k) {
+        const Index i = at.other(k);
+        Zone& published = solution.zones[static_cast<std::size_t>(i)];
+        const Zone zone = pass.slip(i, 0) < 0 ? Zone::slip_negative : Zone::slip;
+        is_same = is_same && zone == published;
+        published = zone;
+    }
+    if (!is_same) ++solution.revision;
+    const double slip = (std::max)(error_, creep_);
+    solution.residual = problem.imposed > 0 ? slip / problem.imposed : slip;
 }
 
 // Finds dp of a pass, and the response of its slip in slip_response_.

@@ -11,11 +11,11 @@
 
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
-#include "../../rolling/stage_equations.hpp"
-#include "../../rolling/time_step.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/time_step.hpp"
 #include "../../status.hpp"
-#include "../../system/contact_fit.hpp"
-#include "../../system/time_domain.hpp"
+#include "../../system/detail/contact_fit.hpp"
+#include "../../system/detail/time_domain.hpp"
 #include "../detail/rolling_friction.hpp"
 
 namespace rollbem {
@@ -71,14 +71,14 @@ FrictionData friction_data(const AnyContact& contact, ElementSystem<double, dire
     require(direction == 0 || direction == 1, name, "direction", direction, "be 0 or 1");
     FrictionData data{ContactData<directions>(name, contact, std::move(system), friction, direction), integrator, true};
     const auto& own = std::get<ContactData<directions>>(data.contact).system;
-    if constexpr (std::is_same_v<AnyContact, Contact<double>>) {
+    if constexpr (std::is_same_v<AnyContact, Contact>) {
         require_same_aspect(name, contact, own);
     } else {
         require(!own.aspect() && own.elements().places_are_known(), name, "number of places of a patch's elements",
                 own.elements().x.size(), "be theirs: a patch has the system of a PatchMesh");
         require_same_shape(name, contact, own);
     }
-    require(stage_table<double>(integrator).has_value(), name, "integrator", rollbem::name(integrator),
+    require(stage_table(integrator).has_value(), name, "integrator", rollbem::name(integrator),
             "solve stages, as implicit_euler and sdirk2 do");
     if (!own.has_G()) {
         const auto& slope = [&]() -> const auto& {
@@ -121,8 +121,7 @@ FrictionState at_rest(const ContactData<directions>& contact) {
 /// Whether the load of a step can follow a state: ok; invalid_load, also if a patch changes its half-length without a
 /// new half-width; needs_fixed_mesh if a line contact changes its half-width.
 template <int directions>
-Status check_load(const ContactData<directions>& contact, const FrictionState& from,
-                  const NormalLoad<double>& load) noexcept {
+Status check_load(const ContactData<directions>& contact, const FrictionState& from, const NormalLoad& load) noexcept {
     const Status possible = load.check(contact.system.element_count());
     if (possible != Status::ok) return possible;
     const bool line = contact.units.line;
@@ -132,7 +131,7 @@ Status check_load(const ContactData<directions>& contact, const FrictionState& f
     return line && load.half_width != contact.units.half_width ? Status::needs_fixed_mesh : Status::ok;
 }
 /// The load at the end of a step. A half-width of 0 is replaced by the half-width of `from`.
-inline LoadAtEnd load_after(const FrictionState& from, const NormalLoad<double>* load) noexcept {
+inline LoadAtEnd load_after(const FrictionState& from, const NormalLoad* load) noexcept {
     if (load == nullptr) return {from.normal_pressure, from.half_length, from.half_width};
     const double b = load->half_width == 0 ? from.half_width : load->half_width;
     return {load->normal_pressure, load->half_length, b, &load->pressure_rate};
@@ -165,7 +164,7 @@ Status check_state(const ContactData<directions>& contact, const FrictionRequest
         return Status::wrong_state;
     }
     const bool valid = is_positive(from.half_length) && (contact.units.line || is_positive(from.half_width)) &&
-                       all_pressures(from.normal_pressure);
+                       (scratch->of(contact)->has(from.normal_pressure) || all_pressures(from.normal_pressure));
     return valid ? Status::ok : Status::invalid_load;
 }
 
@@ -183,7 +182,7 @@ auto motion_along(const ContactData<directions>& contact, const FrictionModel::M
         return motion;
     } else {
         using Own = RigidMotion<double>;
-        const auto along = [&](const Creepage<double>& value) {
+        const auto along = [&](const Creepage& value) {
             return contact.direction == 0 ? value.longitudinal : value.lateral;
         };
         const double start = along(motion.start()), end = along(motion.end());
@@ -213,7 +212,7 @@ FrictionStep steady(const ContactData<directions>& contact, const FrictionReques
     Status possible = step.load ? check_load(contact, from, *step.load) : Status::ok;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
     const LoadAtEnd load = load_after(asked);
-    const SemiAxes<double> at = contact.units.axes(load);
+    const SemiAxes at = contact.units.axes(load);
     const auto motion = motion_along(contact, step.motion);
     possible = check_state(contact, asked);
     if (possible == Status::ok) possible = check_growth(contact.system, 0.0, at, at);
@@ -222,7 +221,7 @@ FrictionStep steady(const ContactData<directions>& contact, const FrictionReques
     const double speed = step.travel.speed();
     if (possible == Status::ok && contact.varies() && !is_positive(speed)) possible = Status::invalid_step;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    TimeStep<directions, double> rolled{motion, contact.units.length, at, at};
+    TimeStep<directions> rolled{motion, contact.units.length, at, at};
     rolled.steady = true;
     rolled.speed = speed;
     return solve<directions>({contact, rolled, from, load, *scratch->of(contact)}, to);
@@ -237,7 +236,7 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
     if (possible != Status::ok) return failed<FrictionStep>(possible);
     const LoadAtEnd load = load_after(asked);
     const double dq = step.travel.dq / contact.units.length, duration = step.travel.duration;
-    const SemiAxes<double> start = contact.units.axes(from), end = contact.units.axes(load);
+    const SemiAxes start = contact.units.axes(from), end = contact.units.axes(load);
     const auto motion = motion_along(contact, step.motion);
     possible = check_step(check_state(contact, asked), motion, dq, contact.size(),
                           [&] { return check_growth(contact.system, dq, start, end); });
@@ -245,8 +244,8 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
     const bool imposed = can_impose(contact, motion.start()) && can_impose(contact, motion.end());
     if (possible == Status::ok && !imposed) possible = Status::needs_places;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    const StageTable<double> stages = *stage_table<double>(integrator);
-    TimeStep<directions, double> rolled{motion, contact.units.length, start, end, dq, stages};
+    const StageTable stages = *stage_table(integrator);
+    TimeStep<directions> rolled{motion, contact.units.length, start, end, dq, stages};
     rolled.duration = duration;
     return solve<directions>({contact, rolled, from, load, *scratch->of(contact)}, to);
 }
@@ -269,10 +268,10 @@ ROLLBEM_DECL FrictionWorkspace& FrictionWorkspace::operator=(FrictionWorkspace o
 ROLLBEM_DECL FrictionWorkspace::~FrictionWorkspace() = default;
 
 ROLLBEM_DECL ElementVectors FrictionWorkspace::slip() const {
-    if (const auto* both = std::get_if<1>(&scratch_->steps)) return both->slip;
-    const auto& along = std::get_if<0>(&scratch_->steps)->slip;
-    ElementVectors slip = ElementVectors::Zero(along.size(), 2);
-    slip.col(scratch_->direction) = along;
+    if (const auto* both = std::get_if<1>(&scratch_->steps)) return both->slip_unit * both->slip;
+    const auto* const one = std::get_if<0>(&scratch_->steps);
+    ElementVectors slip = ElementVectors::Zero(one->slip.size(), 2);
+    slip.col(scratch_->direction) = one->slip_unit * one->slip;
     return slip;
 }
 ROLLBEM_DECL const VectorX<double>& FrictionWorkspace::slip_work() const {
@@ -280,28 +279,28 @@ ROLLBEM_DECL const VectorX<double>& FrictionWorkspace::slip_work() const {
     return one != nullptr ? one->work : std::get_if<1>(&scratch_->steps)->work;
 }
 
-ROLLBEM_DECL FrictionModel::FrictionModel(const Contact<double>& contact, ElementSystem<double> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator, Eigen::Index direction)
     : data_(std::make_shared<detail::FrictionData>(
           detail::friction_data(contact, std::move(system), verdict, friction, integrator, direction))) {}
-ROLLBEM_DECL FrictionModel::FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double, 2> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator)
     : data_(std::make_shared<detail::FrictionData>(
           detail::friction_data(contact, std::move(system), verdict, friction, integrator))) {}
-ROLLBEM_DECL FrictionModel::FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const PatchContact& contact, ElementSystem<double, 2> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator)
     : data_(std::make_shared<detail::FrictionData>(
           detail::friction_data(contact, std::move(system), verdict, friction, integrator))) {}
-ROLLBEM_DECL FrictionModel::FrictionModel(const Contact<double>& contact, ElementSystem<double> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double> system,
                                           const Friction& friction, Eigen::Index direction)
     : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction, Integrator::sdirk2, direction) {}
-ROLLBEM_DECL FrictionModel::FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double, 2> system,
                                           const Friction& friction)
     : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
-ROLLBEM_DECL FrictionModel::FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system,
+ROLLBEM_DECL FrictionModel::FrictionModel(const PatchContact& contact, ElementSystem<double, 2> system,
                                           const Friction& friction)
     : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
 
@@ -318,12 +317,12 @@ ROLLBEM_DECL bool FrictionModel::converges() const { return data_->converges; }
 ROLLBEM_DECL FrictionState FrictionModel::at_rest() const {
     return data_->with([](const auto& contact) { return detail::at_rest(contact); });
 }
-ROLLBEM_DECL FrictionState FrictionModel::at_rest(const NormalLoad<double>& load) const {
+ROLLBEM_DECL FrictionState FrictionModel::at_rest(const NormalLoad& load) const {
     return data_->with([&](const auto& contact) {
         FrictionState state = detail::at_rest(contact);
         Status possible = detail::check_load(contact, state, load);
         const detail::LoadAtEnd given = detail::load_after(state, &load);
-        const SemiAxes<double> axes = contact.units.axes(given);
+        const SemiAxes axes = contact.units.axes(given);
         if (possible == Status::ok) possible = detail::check_growth(contact.system, 0.0, axes, axes);
         detail::require(
             possible == Status::ok, detail::friction_model, "status of the load at rest", rollbem::name(possible),
@@ -336,7 +335,7 @@ ROLLBEM_DECL FrictionState FrictionModel::at_rest(const NormalLoad<double>& load
 }
 ROLLBEM_DECL FrictionWorkspace FrictionModel::workspace() const { return FrictionWorkspace(*data_); }
 
-ROLLBEM_DECL TangentialForce<double> FrictionModel::force(const State& state) const {
+ROLLBEM_DECL TangentialForce FrictionModel::force(const State& state) const {
     return data_->with([&]<int directions>(const detail::ContactData<directions>& contact) {
         const detail::Vectors<directions> traction = contact.along(state.traction);
         const auto forces = contact.forces.of(traction, contact.units.axes(state));
@@ -346,10 +345,10 @@ ROLLBEM_DECL TangentialForce<double> FrictionModel::force(const State& state) co
 
 ROLLBEM_DECL double FrictionModel::elastic_energy(const State& state) const {
     return data_->with([&]<int directions>(const detail::ContactData<directions>& contact) {
-        const SemiAxes<double> present = contact.units.axes(state);
+        const SemiAxes present = contact.units.axes(state);
         const auto& system = contact.system;
         if (!system.has_G() || detail::check_growth(system, 0.0, present, present) != Status::ok) {
-            return detail::unknown<double>;
+            return detail::not_computed;
         }
         const detail::Vectors<directions> traction = contact.along(state.traction) / contact.units.shear_modulus;
         detail::Vectors<directions> displacement = traction;

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "../contact_geometry.hpp"
+#include "../wheel_on_rail.hpp"
 
 namespace rollbem::detail {
 

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/FFT>
+
+#include "batch_transform.hpp"
 
 namespace rollbem::detail {
 
@@ -18,7 +21,6 @@ namespace rollbem::detail {
 class GridConvolution {
 public:
     using Grid = Eigen::ArrayXXd;
-    using Complex = std::complex<double>;
 
     /// Prepares for another grid; the memory only grows.
     void prepare(Eigen::Index nx, Eigen::Index ny, double dx, double dy) {
@@ -27,13 +29,10 @@ public:
         ny_ = ny;
         dx_ = dx;
         dy_ = dy;
-        width_ = 2 * good_size(nx);  // even, as the transform of real numbers requires
-        height_ = good_size(2 * ny);
-        half_ = width_ / 2 + 1;
-        if (row_.size() < width_) row_.resize(width_);
-        if (column_.size() < (std::max)(height_, half_)) column_.resize((std::max)(height_, half_));
-        if (spectrum_.size() < half_ * height_) spectrum_.resize(half_ * height_);
-        fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+        width_ = BatchTransform::good_length(2 * nx);
+        height_ = BatchTransform::good_length(2 * ny);
+        along_x_.prepare(width_);
+        along_y_.prepare(height_);
         Grid corners(nx + 1, ny + 1);  // corners at ((i - 1/2) dx, (j - 1/2) dy)
         for (Eigen::Index j = 0; j <= ny; ++j) {
             for (Eigen::Index i = 0; i <= nx; ++i) {
@@ -42,36 +41,56 @@ public:
         }
         own_ = corners(1, 1) - corners(0, 1) - corners(1, 0) + corners(0, 0);
         // mirrored into all four quadrants
-        spectrum_.setZero();
+        Grid kernel = Grid::Zero(width_, height_);
         for (Eigen::Index j = 0; j < height_; ++j) {
             const Eigen::Index q = (std::min)(j, height_ - j);
-            row_.head(width_).setZero();
             for (Eigen::Index i = 0; q < ny && i < width_; ++i) {
                 const Eigen::Index p = (std::min)(i, width_ - i);
                 if (p >= nx) continue;
-                row_[i] = corners(p + 1, q + 1) - corners(p, q + 1) - corners(p + 1, q) + corners(p, q);
+                kernel(i, j) = corners(p + 1, q + 1) - corners(p, q + 1) - corners(p + 1, q) + corners(p, q);
             }
-            transform_row(j);
         }
-        for (Eigen::Index k = 0; k < half_; ++k) transform_column(k, height_, false);
-        kernel_.resize(half_ * height_);  // real, as the kernel is even in both
-        for (Eigen::Index i = 0; i < kernel_.size(); ++i) kernel_[i] = spectrum_[i].real();
+        transform(kernel);
+        // real, as the kernel is even in both, and divided by the factor of the inverse transforms
+        kernel_ = Eigen::Map<const Eigen::ArrayXd>(spectrum_.re.data(), width_ * half()) / double(width_ * height_);
     }
 
     /// Displacements times pi E*; p and u are nx x ny.
     void apply(const Grid& p, Grid& u) {
-        for (Eigen::Index j = 0; j < ny_; ++j) {
-            row_.head(nx_) = p.col(j).head(nx_);
-            row_.segment(nx_, width_ - nx_).setZero();
-            transform_row(j);
+        transform(p);
+        const auto all = [&](std::vector<double>& of) {
+            return Eigen::Map<Eigen::ArrayXd>(of.data(), width_ * half());
+        };
+        all(spectrum_.re) *= kernel_;
+        all(spectrum_.im) *= kernel_;
+        std::swap(spectrum_.re, spectrum_.im);
+        along_x_.apply(spectrum_, half());
+        std::swap(spectrum_.re, spectrum_.im);
+        // two real columns make one complex sequence
+        const Eigen::Index pairs = (nx_ + 1) / 2;
+        pairs_.resize(std::size_t(pairs * height_));
+        for (Eigen::Index i = 0; i < pairs; ++i) {
+            const double *re = &spectrum_.re[std::size_t(i * half())], *im = &spectrum_.im[std::size_t(i * half())];
+            const bool two = i + pairs < nx_;
+            const double *other_re = two ? re + pairs * half() : nullptr,
+                         *other_im = two ? im + pairs * half() : nullptr;
+            for (Eigen::Index k = 0; k < half(); ++k) {
+                const double a = two ? other_re[k] : 0, b = two ? other_im[k] : 0;
+                const auto at = std::size_t(k * pairs + i);
+                pairs_.re[at] = re[k] - b;
+                pairs_.im[at] = im[k] + a;
+                if (k == 0) continue;
+                const auto mirrored = std::size_t((height_ - k) * pairs + i);
+                pairs_.re[mirrored] = re[k] + b;
+                pairs_.im[mirrored] = a - im[k];
+            }
         }
-        for (Eigen::Index k = 0; k < half_; ++k) {
-            transform_column(k, ny_, true);
-        }
+        std::swap(pairs_.re, pairs_.im);
+        along_y_.apply(pairs_, pairs);
         for (Eigen::Index j = 0; j < ny_; ++j) {
-            column_.head(half_) = spectrum_.segment(j * half_, half_);
-            fft_.inv(row_.data(), column_.data(), width_);
-            u.col(j).head(nx_) = row_.head(nx_);
+            u.col(j).head(pairs) = Eigen::Map<const Eigen::ArrayXd>(&pairs_.im[std::size_t(j * pairs)], pairs);
+            u.col(j).segment(pairs, nx_ - pairs) =
+                Eigen::Map<const Eigen::ArrayXd>(&pairs_.re[std::size_t(j * pairs)], nx_ - pairs);
         }
     }
 
@@ -84,43 +103,54 @@ private:
         return x * std::log((y + r) / std::abs(x)) + y * std::log((x + r) / std::abs(y));
     }
 
-    // smallest size from `least` on without a prime factor above 5
-    static Eigen::Index good_size(Eigen::Index least) {
-        for (Eigen::Index n = least;; ++n) {
-            Eigen::Index rest = n;
-            for (const Eigen::Index p : {2, 3, 5}) {
-                while (rest % p == 0) rest /= p;
+    Eigen::Index half() const { return height_ / 2 + 1; }  // number of frequencies along y; the others are conjugates
+
+    // Transforms values on a part of the grid into spectrum_, whose element for frequency i along x and k along y is at
+    // i * half() + k.
+    void transform(const Grid& values) {
+        // along y, two columns of constant x in one complex sequence
+        const Eigen::Index n = values.rows(), pairs = (n + 1) / 2;
+        pairs_.resize(std::size_t(pairs * height_));
+        for (Eigen::Index j = 0; j < height_; ++j) {
+            Eigen::Map<Eigen::ArrayXd> re(&pairs_.re[std::size_t(j * pairs)], pairs),
+                im(&pairs_.im[std::size_t(j * pairs)], pairs);
+            im.setZero();
+            if (j < values.cols()) {
+                re = values.col(j).head(pairs);
+                im.head(n - pairs) = values.col(j).tail(n - pairs);
+            } else {
+                re.setZero();
             }
-            if (rest == 1) return n;
         }
+        along_y_.apply(pairs_, pairs);
+        spectrum_.resize(std::size_t(width_ * half()));
+        const auto of = [&](std::vector<double>& part, Eigen::Index i) { return &part[std::size_t(i * half())]; };
+        for (Eigen::Index i = 0; i < pairs; ++i) {
+            double *re = of(spectrum_.re, i), *im = of(spectrum_.im, i);
+            const bool two = i + pairs < n;
+            double *other_re = two ? of(spectrum_.re, i + pairs) : nullptr,
+                   *other_im = two ? of(spectrum_.im, i + pairs) : nullptr;
+            for (Eigen::Index k = 0; k < half(); ++k) {
+                const auto at = std::size_t(k * pairs + i),
+                           mirrored = std::size_t((k == 0 ? 0 : height_ - k) * pairs + i);
+                const double a = pairs_.re[at], b = pairs_.im[at], c = pairs_.re[mirrored], d = pairs_.im[mirrored];
+                re[k] = (a + c) / 2;
+                im[k] = (b - d) / 2;
+                if (!two) continue;
+                other_re[k] = (b + d) / 2;
+                other_im[k] = (c - a) / 2;
+            }
+        }
+        std::fill(spectrum_.re.begin() + n * half(), spectrum_.re.begin() + width_ * half(), 0.0);
+        std::fill(spectrum_.im.begin() + n * half(), spectrum_.im.begin() + width_ * half(), 0.0);
+        along_x_.apply(spectrum_, half());
     }
 
-    // transforms row j of the grid, from row_
-    void transform_row(Eigen::Index j) {
-        fft_.fwd(column_.data(), row_.data(), width_);
-        spectrum_.segment(j * half_, half_) = column_.head(half_);
-    }
-    // transforms frequency k of the rows, of which the first `count` may differ from zero; with the kernel, there and
-    // back
-    void transform_column(Eigen::Index k, Eigen::Index count, bool convolve) {
-        if (in_.size() < height_) in_.resize(height_);
-        if (out_.size() < height_) out_.resize(height_);
-        for (Eigen::Index j = 0; j < height_; ++j) in_[j] = j < count ? spectrum_[j * half_ + k] : Complex(0);
-        fft_.fwd(out_.data(), in_.data(), height_);
-        if (convolve) {
-            for (Eigen::Index j = 0; j < height_; ++j) out_[j] *= kernel_[j * half_ + k];
-            fft_.inv(in_.data(), out_.data(), height_);
-            for (Eigen::Index j = 0; j < ny_; ++j) spectrum_[j * half_ + k] = in_[j];
-        } else {
-            for (Eigen::Index j = 0; j < height_; ++j) spectrum_[j * half_ + k] = out_[j];
-        }
-    }
-
-    Eigen::Index nx_ = 0, ny_ = 0, width_ = 0, height_ = 0, half_ = 0;
+    Eigen::Index nx_ = 0, ny_ = 0, width_ = 0, height_ = 0;
     double dx_ = 0, dy_ = 0, own_ = 0;
-    Eigen::FFT<double> fft_;
-    Eigen::ArrayXd row_, kernel_;
-    Eigen::ArrayXcd column_, spectrum_, in_, out_;  // rows of the grid one after the other
+    BatchTransform along_x_, along_y_;
+    Eigen::ArrayXd kernel_;
+    ComplexBatch pairs_, spectrum_;
 };
 
 }  // namespace rollbem::detail

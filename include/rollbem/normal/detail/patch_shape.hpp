@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/in_place_lu.hpp"
-#include "../../scene/outline.hpp"
+#include "../../scene/patch_contact.hpp"
 #include "../normal_contact.hpp"
 
 namespace rollbem::detail {
@@ -258,7 +258,7 @@ inline std::vector<Eigen::ArrayXXd> split_into_patches(Eigen::ArrayXXd p) {
 
 /// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
 /// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
-inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+inline std::optional<Outline> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
     // the interval of column i that touches the cells first ... last, preferably one that contains cell j
@@ -347,7 +347,7 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
         trailing[k] = x - half;
         leading[k] = x + half;
     }
-    return Outline<double>(at, trailing, leading);
+    return Outline(at, trailing, leading);
 }
 
 /// The largest pressure: the square of the pressure is nearly quadratic about its largest cell.

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "../rail_patch.hpp"
+#include "../wheel_on_rail.hpp"
 #include "contact_gaps.hpp"
 #include "patch_shape.hpp"
 
@@ -55,7 +55,7 @@ inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
 
 /// Sets the extents and the area of an outline.
 inline void measure(RailPatch& patch) {
-    const Outline<double>& outline = *patch.outline;
+    const Outline& outline = *patch.outline;
     patch.area = outline.area();
     patch.half_width = (outline.high() - outline.low()) / 2;
     double ahead = outline.leading(outline.low()), behind = ahead;
@@ -68,7 +68,7 @@ inline void measure(RailPatch& patch) {
 
 /// The turn of the rail's surface across the outline [rad].
 inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
-                          const Outline<double>& outline) {
+                          const Outline& outline) {
     const auto angle = [&](double s) {
         const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../contact_geometry.hpp"
+#include "../wheel_on_rail.hpp"
 #include "curve_index.hpp"
 
 namespace rollbem::detail {

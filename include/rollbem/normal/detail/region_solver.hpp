@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "../normal_contact.hpp"
-#include "../rail_patch.hpp"
+#include "../wheel_on_rail.hpp"
 #include "contact_gaps.hpp"
 #include "contact_region.hpp"
 #include "plane_patches.hpp"

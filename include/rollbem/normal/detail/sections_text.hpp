@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../../detail/require.hpp"
-#include "../sections.hpp"
+#include "../surface.hpp"
 #include "profile_text.hpp"
 
 namespace rollbem::detail {

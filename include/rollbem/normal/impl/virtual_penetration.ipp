@@ -12,9 +12,10 @@
 #include "../../detail/gauss_legendre.hpp"
 #include "../../detail/require.hpp"
 #include "../detail/contact_gaps.hpp"
+#include "../detail/elliptic_integrals.hpp"
 #include "../detail/finite_position.hpp"
 #include "../detail/silhouette_search.hpp"
-#include "../hertz_ellipse.hpp"
+#include "../hertz.hpp"
 
 namespace rollbem::detail {
 
@@ -48,7 +49,7 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
                          reach = std::hypot(std::sqrt(square), from);
             volume += weight * std::numbers::pi / 2 * square;
             area += weight * 2 * std::sqrt(square);
-            displacement += weight * 2 * square * EllipticIntegrals<double>(from / reach).D / reach;
+            displacement += weight * 2 * square * EllipticIntegrals(from / reach).D / reach;
         }
     }
     found.y = s_0;

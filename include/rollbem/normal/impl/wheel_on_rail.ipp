@@ -7,11 +7,125 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
+#include "../detail/curve_index.hpp"
 #include "../detail/finite_position.hpp"
+#include "../detail/highest_place.hpp"
+#include "../detail/plane_patches.hpp"
+#include "../detail/rail_samples.hpp"
 #include "../detail/region_solver.hpp"
+#include "../detail/silhouette_search.hpp"
+#include "../profile_file.hpp"
+
+namespace rollbem::detail {
+
+/// The place of the rail in the track: the gauge is measured where the rail's inner side is narrowest down to
+/// gauge_depth below its top; the top is at z = 0 (EN 13848-1).
+inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackDimensions& d) {
+    const auto root = [](double low, double high, const auto& rises) {
+        for (int k = 0; k < 60; ++k) (rises((low + high) / 2) ? low : high) = (low + high) / 2;
+        return low;
+    };
+    Eigen::Index top = 0;
+    rail.z().minCoeff(&top);
+    const double z_top = rail.at(highest_place(rail)).z;
+    // from the top inwards, as far as the depth
+    Eigen::Index below = top;
+    while (below > 0 && rail.z()[below] - z_top < d.gauge_depth) --below;
+    const bool other = rail.z().tail(rail.size() - top).maxCoeff() - z_top >= d.gauge_depth;
+    require(rail.z()[below] - z_top >= d.gauge_depth, "WheelOnRail", "depth of the rail's inner side",
+            rail.z()[below] - z_top,
+            other ? "be at least the gauge_depth, as its side at positive y is: --rail-mirror y for a left rail, or "
+                    "give rail_origin"
+                  : "be at least the gauge_depth; without an inner side give rail_origin");
+    const double deepest =
+        root(rail.s()[below], rail.s()[below + 1], [&](double s) { return rail.at(s).z - z_top >= d.gauge_depth; });
+    double narrowest = rail.at(deepest).y;
+    for (Eigen::Index i = below; i < top; ++i) {
+        const double from = (std::max)(rail.s()[i], deepest), to = rail.s()[i + 1];
+        if (rail.at(from).slope[0] < 0 && rail.at(to).slope[0] > 0) {
+            narrowest =
+                (std::min)(narrowest, rail.at(root(from, to, [&](double s) { return rail.at(s).slope[0] < 0; })).y);
+        }
+        narrowest = (std::min)(narrowest, rail.at(to).y);
+    }
+    return {d.gauge / 2 - narrowest, -z_top};
+}
+
+}  // namespace rollbem::detail
+
+namespace rollbem {
+
+ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
+    : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
+    constexpr const char* who = "WheelOnRail";
+    const TrackDimensions& d = dimensions_;
+    detail::require_positive(who, "gauge", d.gauge);
+    detail::require_positive(who, "gauge_depth", d.gauge_depth);
+    detail::require_finite(who, "flange_back", d.flange_back);
+    detail::require_finite(who, "tape_offset", d.tape_offset);
+    detail::require_positive(who, "radius", d.radius);
+    detail::require_positive(who, "shear_modulus", d.shear_modulus);
+    detail::require_poisson_ratio(who, d.poisson_ratio);
+    detail::require_positive(who, "compliance (1 - poisson_ratio) / shear_modulus", compliance());
+    if (wheel_.is_round()) require_wheel(wheel_.profile(), d.tape_offset);
+    if (!rail_.has_sections()) require_rail(rail_.profile());
+    if (d.rail_origin) {
+        detail::require_finite(who, "rail_origin.y", d.rail_origin->y);
+        detail::require_finite(who, "rail_origin.z", d.rail_origin->z);
+        origin_ = *d.rail_origin;
+    } else {
+        detail::require(rail_.is_straight(), who, "rail_origin", "not given",
+                        "be given for a roller and for a rail that changes along the track");
+        origin_ = detail::origin_by_gauge(rail_.profile(), d);
+    }
+    wheel_origin_ = d.flange_back / 2 + d.tape_offset;
+    if (is_plain()) {
+        auto index = std::make_shared<detail::CurveIndex>();
+        index->build(detail::rail_samples(*this, 0));
+        index_ = std::move(index);
+    }
+}
+
+ROLLBEM_DECL auto ContactGeometry::rail_at(double s, double x) const -> CurvePoint {
+    CurvePoint p = rail_.at(s, x);
+    p.y += origin_.y;
+    p.z += origin_.z;
+    return p;
+}
+
+ROLLBEM_DECL double RailPatch::vertical_load() const {
+    return detail::vertical_load(pressure, grid, rail_slope, angle);
+}
+
+ROLLBEM_DECL double RailPatch::in_rows(const Eigen::ArrayXd& rows, double s) const {
+    const double row = std::clamp((s - grid.y_0) / grid.dy, 0.0, double(grid.ny - 1));
+    const auto low = (std::min)(Eigen::Index(row), grid.ny - 2);
+    return rows[low] + (row - double(low)) * (rows[low + 1] - rows[low]);
+}
+
+ROLLBEM_DECL RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
+    const auto [x, y, z] = mirror.of_vector();
+    patch.x *= x;
+    for (double* of : {&patch.y, &patch.rail_y, &patch.wheel_y, &patch.angle}) *of *= y;
+    if (x < 0) {
+        patch.grid.x_0 = -patch.grid.x(patch.grid.nx - 1);
+        patch.pressure = patch.pressure.colwise().reverse().eval();
+    }
+    if (y < 0) {
+        patch.grid.y_0 = -patch.grid.y(patch.grid.ny - 1);
+        patch.pressure = patch.pressure.rowwise().reverse().eval();
+        for (Eigen::ArrayXd* of : {&patch.rail_n, &patch.wheel_n}) *of = of->reverse().eval();
+        patch.rail_slope = -patch.rail_slope.reverse().eval();
+    }
+    if (patch.outline) patch.outline = mirrored(*patch.outline, mirror);
+    return patch;
+}
+
+}  // namespace rollbem
 
 namespace rollbem::detail {
 
@@ -128,6 +242,36 @@ ROLLBEM_DECL auto WheelOnRail::solve_at_height(const WheelsetPosition& position,
         detail::collect(solver, 0, contact);
         if (contact.status != Status::few_cells) break;
     }
+    return contact;
+}
+
+ROLLBEM_DECL RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
+    const ContactGeometry& geometry = wheel.geometry();
+    detail::require(geometry.is_plain(), "rigid_contact", "sections of wheel and rail", "several",
+                    "be one: a round wheel on a straight rail");
+    RigidContact contact;
+    const WheelsetPosition used{.lateral = position.lateral, .roll = position.roll, .yaw = position.yaw};
+    if (!detail::is_finite(used)) return contact;
+    detail::SilhouetteSearch search;
+    contact.status = search.locate(geometry, used);
+    if (contact.status != Status::ok) return contact;
+    const std::optional<detail::PenetrationSample> point = search.first_point();
+    if (!point) {
+        contact.status = Status::end_of_profile;
+        return contact;
+    }
+    const Profile::Point on_wheel = wheel.wheel().at(point->wheel_s);
+    // the deepest sample touches, this point lies a little below the rail
+    const double raised = point->closest.depth / std::cos(point->closest.angle());
+    contact.height = search.touch() - raised;
+    contact.x = point->x;
+    contact.y = point->y;
+    contact.z = point->z - raised;
+    contact.rail_y = point->y - wheel.rail_origin();
+    contact.wheel_y = on_wheel.y;
+    contact.wheel_s = point->wheel_s;
+    contact.angle = point->closest.angle();
+    contact.rolling_radius = wheel.dimensions().radius + on_wheel.z;
     return contact;
 }
 

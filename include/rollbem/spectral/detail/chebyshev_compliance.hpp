@@ -13,7 +13,7 @@
 #include "../../detail/circle_table.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
-#include "../../elasticity/kernel_concepts.hpp"
+#include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

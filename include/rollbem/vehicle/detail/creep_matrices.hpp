@@ -15,14 +15,14 @@
 #include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
-#include "../../scene/mirror.hpp"
+#include "../../elasticity/patch_kernel.hpp"
+#include "../../scene/wheelset.hpp"
 #include "../../steady/creep_coefficients.hpp"
-#include "../contact_row.hpp"
-#include "../contact_zones.hpp"
+#include "../contact_table.hpp"
 #include "../creep_force_table.hpp"
-#include "../patch_elements.hpp"
 #include "../wheelset_on_track.hpp"
+#include "contact_row.hpp"
+#include "patch_elements.hpp"
 
 namespace rollbem::detail {
 
@@ -205,13 +205,12 @@ inline Eigen::Matrix3d creep_matrix_of(const std::vector<PatchCreepMatrices>& pa
 }
 
 /// An ellipse's rows of c11, c22, c23, and its creep matrix in the form of creep_matrix_of.
-inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact<double>& contact, double load,
-                                               const CreepForceTable& creep) {
+inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact& contact, double load, const CreepForceTable& creep) {
     const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
     require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
             "be ok");
     Eigen::Matrix3d matrix;
-    const CreepageTangent<double>& t = rest.tangent;
+    const CreepageTangent& t = rest.tangent;
     for (const auto& [column, by] : {std::pair(0, t.by_longitudinal), {1, t.by_lateral}, {2, t.by_spin}}) {
         matrix.col(column) = -Eigen::Vector3d(by.longitudinal, by.lateral, by.moment);
     }
@@ -231,7 +230,7 @@ inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches
         v[full_sliding_share] = 1;
         (a > most * b ? b : a) = a > most * b ? a / most : least * b;
     }
-    const PatchContact<double> contact({a, b, dimensions.shear_modulus, dimensions.poisson_ratio});
+    const PatchContact contact({a, b, dimensions.shear_modulus, dimensions.poisson_ratio});
     const double c = contact.c(), root = std::cbrt(pressed.load);
     v[length] = a / root;
     v[width] = b / root;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "../contact_row.hpp"
-#include "../creep_force_grid.hpp"
+#include "../creep_force_table.hpp"
+#include "contact_row.hpp"
 
 namespace rollbem::detail {
 

@@ -8,9 +8,9 @@ namespace rollbem::detail {
 
 /// Whether all numbers of a look-up are finite; false also if their sum overflows.
 inline bool is_finite(const TabulatedForce& of) {
-    const TangentialForce<double> sum = of.force + of.tangent.by_longitudinal + of.tangent.by_lateral +
-                                        of.tangent.by_spin + of.tangent_by_load + of.tangent_by_friction_coefficient +
-                                        of.tangent_by_half_length + of.tangent_by_half_width;
+    const TangentialForce sum = of.force + of.tangent.by_longitudinal + of.tangent.by_lateral + of.tangent.by_spin +
+                                of.tangent_by_load + of.tangent_by_friction_coefficient + of.tangent_by_half_length +
+                                of.tangent_by_half_width;
     return is_finite(sum.longitudinal + sum.lateral + sum.moment);
 }
 

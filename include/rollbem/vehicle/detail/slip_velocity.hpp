@@ -16,13 +16,13 @@ public:
     SlipVelocity(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
         : patch_(patch), at_(at), radius_(radius), velocity_(velocity_of(at, speeds)) {}
 
-    Creepage<double> operator()(double x, double s, double n, double tilt) const {
+    Creepage operator()(double x, double s, double n, double tilt) const {
         return at(patch_.place(x, s, n), patch_.angle + tilt);
     }
-    Creepage<double> at_reference() const { return at(creepage_place(patch_), patch_.angle); }
+    Creepage at_reference() const { return at(creepage_place(patch_), patch_.angle); }
 
 private:
-    Creepage<double> at(const std::array<double, 3>& place, double angle) const {
+    Creepage at(const std::array<double, 3>& place, double angle) const {
         const std::array<double, 3> arm{place[0], place[1] - at_.lateral, place[2] - (at_.height - radius_)};
         const auto slip = velocity_.slip(arm, std::sin(angle), std::cos(angle));
         const double sine = std::sin(patch_.angle), cosine = std::cos(patch_.angle);

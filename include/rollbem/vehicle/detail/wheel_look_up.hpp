@@ -290,7 +290,7 @@ private:
     // --- forces
 
     template <class Number>
-    struct Contact {
+    struct ZoneContact {
         double share = 0;             // share of the vertical load; 0: no contact
         std::array<Number, 3> force;  // force in the plane, and moment about its normal
         Number normal, size, angle, sine, cosine, half_length, half_width;  // size: N^(1/3)
@@ -306,7 +306,7 @@ private:
         bool does_not_roll = false;
         Number roll;                // of the wheelset
         SineCosine<double> rolled;  // sine and cosine of the roll
-        std::array<Contact<Number>, ContactZones::most> contacts;
+        std::array<ZoneContact<Number>, ContactZones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
@@ -314,7 +314,7 @@ private:
     Status forces_on(Pass<Number>& pass, std::size_t zone, const Number& load) {
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
-        Contact<Number>& found = pass.contacts[zone];
+        ZoneContact<Number>& found = pass.contacts[zone];
         const auto row = [&](Eigen::Index which) { return number<Number>(of, which); };
         found.angle = row(angle);
         const SineCosine<Number> inclined = turned(found.angle, sine_cosine(value_of(found.angle)));
@@ -353,21 +353,21 @@ private:
                 turned(variable<Number>(input(WheelForces::yaw), by_yaw), yawed_)};
     }
 
-    PatchContact<double>::Parameters ellipse(double a, double b) const {
+    PatchContact::Parameters ellipse(double a, double b) const {
         return {a, b, table_.shear_modulus(), table_.poisson_ratio()};
     }
 
     /// Forces on the ellipse of a zone at its own creepages, without derivatives.
     Status creep_forces(Pass<double>& pass, std::size_t zone, const std::array<double, 3>& own) const {
-        Contact<double>& found = pass.contacts[zone];
-        const Creepage<double> creepage{own[0], own[1], own[2]};
-        const PatchContact<double>::Parameters axes = ellipse(found.half_length, found.half_width);
+        ZoneContact<double>& found = pass.contacts[zone];
+        const Creepage creepage{own[0], own[1], own[2]};
+        const PatchContact::Parameters axes = ellipse(found.half_length, found.half_width);
         const double mu = input(WheelForces::mu) * friction_.factor[zone], N = found.normal;
-        TangentialForce<double> force;
+        TangentialForce force;
         Status status = Status::ok;
         if (friction_.reduced != nullptr) {
             const ReducedFriction::Force now =
-                friction_.reduced->look_up(creep_, PatchContact<double>(axes), mu, N, found.rolling, creepage);
+                friction_.reduced->look_up(creep_, PatchContact(axes), mu, N, found.rolling, creepage);
             force = now.force;
             status = now.status;
         } else {
@@ -380,13 +380,13 @@ private:
 
     /// Forces on the ellipse of a zone at its own creepages, with all derivatives.
     Status creep_forces(Pass<Dual>& pass, std::size_t zone, const std::array<Dual, 3>& own) const {
-        Contact<Dual>& found = pass.contacts[zone];
+        ZoneContact<Dual>& found = pass.contacts[zone];
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
-        const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
-        const PatchContact<double> contact(ellipse(found.half_length.value(), found.half_width.value()));
+        const Creepage creepage{own[0].value(), own[1].value(), own[2].value()};
+        const PatchContact contact(ellipse(found.half_length.value(), found.half_width.value()));
         TabulatedForce now;
         Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
-        const auto column = [](const TangentialForce<double>& of) {
+        const auto column = [](const TangentialForce& of) {
             return Eigen::Vector3d(of.longitudinal, of.lateral, of.moment);
         };
         if (friction_.reduced != nullptr) {
@@ -430,7 +430,7 @@ private:
     }
 
     /// Derivatives of a contact's creepages by the speeds, from the derivatives of its rolling velocity.
-    BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const Contact<Dual>& of,
+    BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const ZoneContact<Dual>& of,
                                 const Eigen::Matrix<double, 1, speed_count>& rolling_by_speeds) const {
         using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, speed_count, 1>>;
         const auto speed = [&](int which) {
@@ -552,7 +552,7 @@ private:
         pass.excess_by_motion.setZero();
         pass.does_not_roll = false;
         for (std::size_t k = 0; k < count; ++k) {
-            Contact<Number>& of = pass.contacts[k];
+            ZoneContact<Number>& of = pass.contacts[k];
             of.share = 0;
             if (!(value_of(shares[k]) > 0)) continue;
             const Number portion = shares[k] / total, load = portion * whole;
@@ -575,7 +575,7 @@ private:
 
     /// Writes a point as after the last step, so that its numbers agree with the wrench.
     template <class Number>
-    void settle(std::size_t zone, const Contact<Number>& of, double change) {
+    void settle(std::size_t zone, const ZoneContact<Number>& of, double change) {
         const auto settled = [&](const Number& number) { return after(number, change); };
         WheelForces::Point& point = result_.points[zone];
         const auto& row = zones_[zone].value;
@@ -584,7 +584,7 @@ private:
         point.rail_y = row[ContactRow::rail_y];
         point.wheel_y = row[ContactRow::wheel_y];
         point.peak_pressure = row[ContactRow::peak] * value_of(of.size);
-        point.ellipse = PatchContact<double>(ellipse(value_of(of.half_length), value_of(of.half_width)));
+        point.ellipse = PatchContact(ellipse(value_of(of.half_length), value_of(of.half_width)));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
@@ -604,7 +604,7 @@ private:
         wrench.fill(constant<Number>(0));
         Eigen::Matrix<double, 6, motion_count> by_motion = Eigen::Matrix<double, 6, motion_count>::Zero();
         for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
-            const Contact<Number>& of = pass.contacts[k];
+            const ZoneContact<Number>& of = pass.contacts[k];
             if (!(of.share > 0)) continue;
             const auto& [r_x, r_y, r_z] = of.arm;
             const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,

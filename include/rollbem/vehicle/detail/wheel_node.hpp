@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "../contact_table.hpp"
-#include "../patch_force.hpp"
+#include "../wheelset_forces.hpp"
 #include "creep_matrices.hpp"
 #include "ellipse_creepages.hpp"
 #include "wheelset_velocity.hpp"
@@ -106,11 +106,10 @@ inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& poin
                                           const Eigen::Index entry = row - correction;
                                           return entry >= 0 && entry < 9 ? v[row] + yaw * v[row + 9] : v[row];
                                       });
-        const auto force =
-            creep
-                .look_up(PatchContact<double>({a, b, dimensions.shear_modulus, dimensions.poisson_ratio}), mu, N,
-                         {xi, eta, phi})
-                .force;
+        const auto force = creep
+                               .look_up(PatchContact({a, b, dimensions.shear_modulus, dimensions.poisson_ratio}), mu, N,
+                                        {xi, eta, phi})
+                               .force;
         const double across = force.lateral * cosine;
         sum += RollingForces(
             force.longitudinal, across,

@@ -8,16 +8,68 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <numbers>
 #include <ostream>
 #include <utility>
 
-#include "../../closed_form/full_sliding.hpp"
+#include "../../closed_form/carter.hpp"
 #include "../../detail/checked_stream.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../detail/cubic_spline.hpp"
 #include "../detail/finite_force.hpp"
 #include "../detail/to_double.hpp"
+
+namespace rollbem {
+
+ROLLBEM_DECL CreepForceGrid::CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b,
+                                            int levels, std::vector<CreepCoefficients<double>> coefficients)
+    : nu_(poisson_ratio),
+      smallest_(smallest_a_over_b),
+      largest_(largest_a_over_b),
+      levels_(levels),
+      coefficients_(std::move(coefficients)) {
+    detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_, "lie in [0, 0.5]");
+    detail::require(detail::is_finite(smallest_) && smallest_ > 0, name, "smallest_a_over_b", smallest_,
+                    "be positive and finite");
+    detail::require(detail::is_finite(largest_) && largest_ > smallest_, name, "largest_a_over_b", largest_,
+                    "be finite and above the smallest");
+    detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
+    detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
+    const Eigen::Index count = coefficient_count(levels_, shapes());
+    detail::require(count <= most_coefficients, name,
+                    "number of coefficients (levels + 3)^2 (2 levels + 3) (shapes + 2)", count, "be at most 10000000");
+    scales_.resize(4, shapes());
+    for (Eigen::Index i = 0; i < shapes(); ++i) {
+        const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
+        for (const double one : {c.c11, c.c22, c.c23, -c.c32, c.c33}) {
+            detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
+                            "be positive and finite");
+        }
+        scales_.col(i) << c.c11, c.c22, c.c23, std::sqrt(c.c11 * c.c22);
+    }
+    for (int i = 0; i < levels_; ++i) {
+        for (int j = -levels_ + 1; j < levels_; ++j) {
+            for (int k = j < 0 ? 1 : 0; k < levels_; ++k) {
+                const int square = i * i + j * j + k * k;
+                if (square > 0 && square < levels_ * levels_) nodes_.push_back({i, j, k});
+            }
+        }
+    }
+}
+
+ROLLBEM_DECL auto CreepForceGrid::slabs() const -> std::vector<Slab> {
+    std::vector<Slab> slabs;
+    for (Eigen::Index shape = 0; shape < shapes(); ++shape) {
+        for (Eigen::Index node = 0; node < nodes(); ++node) {
+            if (node == 0 || place(node).x != place(node - 1).x) slabs.push_back({shape, node, node});
+            ++slabs.back().last;
+        }
+    }
+    return slabs;
+}
+
+}  // namespace rollbem
 
 namespace rollbem::detail {
 
@@ -57,7 +109,7 @@ public:
                 for (int spin = 0; spin <= m_; ++spin) {
                     const double size = std::sqrt(double(x * x + y * y + spin * spin));
                     if (size < n_ || size > n_ + 3 || (spin == 0 && y < 0)) continue;
-                    const Creepage<double> v = grid.creepage(shape, Eigen::Array3d(x, y, spin));
+                    const Creepage v = grid.creepage(shape, Eigen::Array3d(x, y, spin));
                     const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
                     outer.push_back({x, y, spin, size, {full.longitudinal, full.lateral, full.moment}});
                 }
@@ -213,7 +265,7 @@ struct CreepForceTable::Splines {
         Eigen::Vector3d moment_by_shape;  ///< derivative of the linear law's moment
     };
     /// X mu N/(G a b) from scales of the grid.
-    static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage<double>& v) noexcept {
+    static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage& v) noexcept {
         return {scales[0] * v.longitudinal, scales[1] * v.lateral + scales[2] * c * v.spin, scales[3] * c * v.spin};
     }
 
@@ -366,8 +418,7 @@ struct CreepForceTable::Splines {
         return correction;
     }
 
-    auto saturation_parameter(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept
-        -> LinearForce {
+    auto saturation_parameter(const PatchContact& contact, const Creepage& creepage) const noexcept -> LinearForce {
         const Ellipse on = ellipse(contact.a_over_b());
         const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
         const Eigen::Vector3d w = linear_law(on.linear, c, creepage);
@@ -385,8 +436,8 @@ struct CreepForceTable::Splines {
     }
 
     template <std::floating_point Digits>
-    TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
-                                  double load, const Creepage<double>& creepage) const noexcept {
+    TangentialForce force(const PatchContact::Parameters& contact, double friction_coefficient, double load,
+                          const Creepage& creepage) const noexcept {
         const double bound = friction_coefficient * load,
                      c = std::sqrt(contact.half_length) * std::sqrt(contact.half_width),
                      stiffness = contact.shear_modulus * c * c;
@@ -404,8 +455,8 @@ struct CreepForceTable::Splines {
         return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
     }
 
-    TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
-                           const Creepage<double>& creepage) const noexcept {
+    TabulatedForce look_up(const PatchContact& contact, double friction_coefficient, double load,
+                           const Creepage& creepage) const noexcept {
         TabulatedForce result;
         const auto ended = [&](Status status) {
             result.status = status;
@@ -428,7 +479,7 @@ struct CreepForceTable::Splines {
         const double size = w.matrix().stableNorm();
         const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
         if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
-            const TangentialForce<double> none{0, 0, 0};
+            const TangentialForce none{0, 0, 0};
             return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, Status::ok};
         }
         const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(table.n_));
@@ -487,7 +538,7 @@ struct CreepForceTable::Splines {
         slope.col(2) = unit[2] * slope.col(1) + unit[3] * slope.col(2);
         slope.col(1) *= unit[1];
         slope.col(0) *= unit[0];
-        const auto in_si = [&](const Eigen::Array3d& of) { return TangentialForce<double>{of[0], of[1], c * of[2]}; };
+        const auto in_si = [&](const Eigen::Array3d& of) { return TangentialForce{of[0], of[1], c * of[2]}; };
         const double a = contact.half_length(), b = contact.half_width();
         result.force = in_si(Eigen::Array3d::Zero() - bound * force);
         result.tangent = {in_si(slope.col(0)), in_si(slope.col(1)), in_si(slope.col(2))};
@@ -561,14 +612,13 @@ ROLLBEM_DECL void CreepForceTable::Splines::fill_rest_correction(CreepForceTable
     table.at_rest_ = with_ends(std::move(columns));
 }
 
-ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact<double>& contact,
-                                                        const Creepage<double>& creepage) const noexcept
-    -> LinearForce {
+ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact& contact,
+                                                        const Creepage& creepage) const noexcept -> LinearForce {
     return Splines{*this}.saturation_parameter(contact, creepage);
 }
 
-ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact<double>& contact, double friction_coefficient,
-                                                     double load, const Creepage<double>& creepage) const noexcept {
+ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact& contact, double friction_coefficient,
+                                                     double load, const Creepage& creepage) const noexcept {
     return Splines{*this}.look_up(contact, friction_coefficient, load, creepage);
 }
 
@@ -619,10 +669,77 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(const std::filesystem::path& 
 }
 
 template <std::floating_point Digits>
-TangentialForce<double> CreepForceTable::force(const PatchContact<double>::Parameters& contact,
-                                               double friction_coefficient, double load,
-                                               const Creepage<double>& creepage) const noexcept {
+TangentialForce CreepForceTable::force(const PatchContact::Parameters& contact, double friction_coefficient,
+                                       double load, const Creepage& creepage) const noexcept {
     return Splines{*this}.force<Digits>(contact, friction_coefficient, load, creepage);
+}
+
+ROLLBEM_DECL ReducedFriction::ReducedFriction(const Parameters& parameters) : p_(parameters) {
+    constexpr const char* name = "ReducedFriction";
+    detail::require(p_.adhesion_factor > 0 && p_.adhesion_factor <= 1, name, "adhesion_factor", p_.adhesion_factor,
+                    "lie in (0, 1]");
+    detail::require(p_.slip_factor > 0 && p_.slip_factor <= p_.adhesion_factor, name, "slip_factor", p_.slip_factor,
+                    "be positive and at most adhesion_factor");
+    detail::require(p_.friction_ratio >= 0 && p_.friction_ratio <= 1, name, "friction_ratio", p_.friction_ratio,
+                    "lie in [0, 1]");
+    detail::require_not_negative(name, "fall", p_.fall);
+}
+
+ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const PatchContact& contact, double mu_0,
+                                           double load, double speed, const Creepage& creepage) const noexcept
+    -> Force {
+    Force result;
+    if (!detail::is_finite(speed) || !detail::is_finite(creepage)) return result;
+    result.status = Status::invalid_step;
+    if (speed < 0) return result;
+    const auto& [xi, eta, phi] = creepage;
+    const double a = contact.half_length(), b = contact.half_width();
+    const double arm = std::hypot(a, b) / std::sqrt(5.0), slip = std::hypot(xi, eta, arm * phi);
+    const double left = (1 - p_.friction_ratio) * std::exp(-p_.fall * speed * slip);
+    const double part = left + p_.friction_ratio, mu = mu_0 * part;
+    const TabulatedForce clean = table.look_up(contact, mu, load, creepage);
+    static_cast<TabulatedForce&>(result) = clean;
+    if (clean.status != Status::ok) return result;
+    result.friction_coefficient = mu;
+
+    const CreepForceTable::LinearForce linear = table.saturation_parameter(contact, creepage);
+    // without friction the contact slides; 1e100 is far in full sliding, and 1e-100 is rest
+    const double eps = (std::min)(std::numbers::pi / 4 * linear.value / (mu * load), 1e100);
+    const bool slides = !(mu * load > 0);
+    const Law reduced = law(eps, p_.adhesion_factor, p_.slip_factor), full = law(eps, 1, 1);
+    const bool rests = !(eps > 1e-100) && !slides;
+    const double r = slides ? 1 : rests ? (p_.adhesion_factor + p_.slip_factor) / 2 : reduced.value / full.value;
+    // derivative of r by log(eps); even in eps, so that at rest it is 0
+    const double bend = slides || rests ? 0 : eps * (reduced.slope - r * full.slope) / full.value;
+    const TangentialForce bent = bend * clean.force;
+    const auto bent_over = [&](double by) {
+        return bend != 0 ? TangentialForce{bent.longitudinal / by, bent.lateral / by, bent.moment / by}
+                         : TangentialForce{0, 0, 0};
+    };
+    const TangentialForce by_mu = r * clean.tangent_by_friction_coefficient + bent_over(-mu);
+    const double by_slip = -p_.fall * speed * mu_0 * left;  // derivative of mu
+    const auto tangent = [&](const TangentialForce& by, double of_linear, double of_slip) {
+        return r * by + (bend != 0 ? of_linear / linear.value : 0) * bent + (by_slip * of_slip) * by_mu;
+    };
+    const auto per_slip = [&](double of) { return slip > 0 ? of / slip : 0; };
+    const double turn = per_slip(arm * phi), per_size = phi * turn / (5 * arm);
+    const auto& [by_xi, by_eta, by_phi] = linear.by_creepage;
+    result.force = r * clean.force;
+    result.tangent = {tangent(clean.tangent.by_longitudinal, by_xi, per_slip(xi)),
+                      tangent(clean.tangent.by_lateral, by_eta, per_slip(eta)),
+                      tangent(clean.tangent.by_spin, by_phi, arm * turn)};
+    result.tangent_by_load = r * clean.tangent_by_load + bent_over(-load);
+    result.tangent_by_friction_coefficient = part * by_mu;
+    result.tangent_by_half_length = tangent(clean.tangent_by_half_length, linear.by_half_length, per_size * a);
+    result.tangent_by_half_width = tangent(clean.tangent_by_half_width, linear.by_half_width, per_size * b);
+    result.tangent_by_speed = (-p_.fall * slip * mu_0 * left) * by_mu;
+    const auto& [x, y, moment] = result.tangent_by_speed;
+    return detail::is_finite(result) && detail::is_finite(x + y + moment) ? result : Force{};
+}
+
+ROLLBEM_DECL auto ReducedFriction::law(double eps, double k_A, double k_S) noexcept -> Law {
+    const double x = k_A * eps, y = k_S * eps, q = 1 / (1 + x * x);
+    return {x * q + std::atan(y), k_A * q * (2 * q - 1) + k_S / (1 + y * y)};
 }
 
 }  // namespace rollbem

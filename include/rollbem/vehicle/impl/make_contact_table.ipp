@@ -101,7 +101,7 @@ public:
                const CreepForceTable& creep, std::size_t jobs)
         : dimensions_(dimensions), creep_(creep), jobs_(jobs) {
         for (const WheelNode* node : nodes) {
-            if (!node->patches.empty()) judged_.push_back({node, node->vertical(), {}});
+            if (!node->patches.empty()) judged_.emplace_back(node);
         }
         parallel_for(judged_.size(), jobs_, [&](std::size_t i) {
             Judged& one = judged_[i];
@@ -153,6 +153,10 @@ public:
 private:
     static constexpr double mu = 0.3;
     struct Judged {
+        explicit Judged(const WheelNode* of) : node(of), vertical(of->vertical()) {
+            friction.fill(RollingForces::Zero());
+        }
+
         const WheelNode* node;
         double vertical;
         std::array<RollingForces, 3> friction;

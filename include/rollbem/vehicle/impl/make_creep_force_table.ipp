@@ -14,9 +14,9 @@
 #include "../../detail/parallel_for.hpp"
 #include "../../detail/require.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/rectangle_kernel.hpp"
+#include "../../elasticity/patch_kernel.hpp"
 #include "../../friction/model.hpp"
-#include "../../normal/hertz_ellipse.hpp"
+#include "../../normal/hertz.hpp"
 #include "../../rolling/run.hpp"
 #include "../../steady/creep_coefficients.hpp"
 
@@ -33,7 +33,7 @@ namespace rollbem {
 struct CreepForceSource::Patch {
     using Model = FrictionModel;
 
-    Patch(const PatchContact<double>& contact, PatchMesh<double> given)
+    Patch(const PatchContact& contact, PatchMesh<double> given)
         : mesh(std::move(given)),
           model(contact, steady_system(mesh, detail::chebyshev_nodes, HalfSpace<double>(contact.poisson_ratio())),
                 {1.0, hertz_pressures(contact, mesh, contact.half_width())}),
@@ -42,8 +42,8 @@ struct CreepForceSource::Patch {
     Patch(const Patch&) = delete;
     Patch& operator=(const Patch&) = delete;
 
-    Solution solve(const PatchContact<double>& contact, const Creepage<double>& creepage, bool from_rest) {
-        const Creepage<double> given{creepage.longitudinal, creepage.lateral, creepage.spin / contact.c()};
+    Solution solve(const PatchContact& contact, const Creepage& creepage, bool from_rest) {
+        const Creepage given{creepage.longitudinal, creepage.lateral, creepage.spin / contact.c()};
         if (from_rest) run.now() = rest;
         Solution solution;
         solution.step = run.steady({.motion = given});
@@ -61,7 +61,7 @@ struct CreepForceSource::Patch {
 };
 
 ROLLBEM_DECL CreepForceSource::CreepForceSource(double a_over_b, double poisson_ratio, Eigen::Index n)
-    : contact_(PatchContact<double>::dimensionless(a_over_b, poisson_ratio)),
+    : contact_(PatchContact::dimensionless(a_over_b, poisson_ratio)),
       patch_(std::make_shared<Patch>(contact_, first(n))) {}
 
 ROLLBEM_DECL auto CreepForceSource::mesh() const -> const PatchMesh<double>& { return patch_->mesh; }
@@ -72,7 +72,7 @@ ROLLBEM_DECL auto CreepForceSource::in_adhesion() const -> Response<double> {
                                     : solve_steady(mesh(), detail::chebyshev_nodes, kernel);
 }
 
-ROLLBEM_DECL auto CreepForceSource::solve(const Creepage<double>& creepage, bool from_rest) -> Solution {
+ROLLBEM_DECL auto CreepForceSource::solve(const Creepage& creepage, bool from_rest) -> Solution {
     Solution solution = patch_->solve(contact_, creepage, from_rest);
     if (from_rest && shifted_) shifted_->run.now() = shifted_->rest;
     const double share = share_of_shifted(creepage);
@@ -102,7 +102,7 @@ ROLLBEM_DECL auto CreepForceSource::shifted() const -> PatchMesh<double> {
     return patch_mesh(contact_, cosine_mesh(mesh().elements_per_strip() + 1), uniform_mesh(mesh().strip_count() + 1));
 }
 
-ROLLBEM_DECL double CreepForceSource::share_of_shifted(const Creepage<double>& v) const {
+ROLLBEM_DECL double CreepForceSource::share_of_shifted(const Creepage& v) const {
     // the pole's distance from the middle in units of the semi-axes, times the spin
     const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
                  pole = std::hypot(v.longitudinal * std::sqrt(a_over_b), v.lateral / std::sqrt(a_over_b));

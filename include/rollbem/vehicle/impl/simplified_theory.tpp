@@ -23,9 +23,8 @@ inline void require_mesh(const char* who, const SimplifiedMesh& mesh) {
 
 namespace rollbem {
 
-inline SimplifiedTheory::SimplifiedTheory(const PatchContact<double>& contact,
-                                          const CreepCoefficients<double>& coefficients, double friction_coefficient,
-                                          double load, const SimplifiedMesh& mesh)
+inline SimplifiedTheory::SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
+                                          double friction_coefficient, double load, const SimplifiedMesh& mesh)
     : contact_(contact), c_(coefficients), mesh_(mesh), mu_(friction_coefficient) {
     const char* const who = "SimplifiedTheory";
     detail::require(contact.outline() == nullptr, who, "contact", "outline", "be an ellipse");
@@ -44,7 +43,7 @@ inline auto SimplifiedTheory::flexibility() const -> Flexibility {
             std::numbers::pi * a * std::sqrt(contact_.a_over_b()) / (4 * c_.c23 * G)};
 }
 
-inline auto SimplifiedTheory::one_flexibility(const Creepage<double>& at) const -> Flexibility {
+inline auto SimplifiedTheory::one_flexibility(const Creepage& at) const -> Flexibility {
     const Flexibility L = flexibility();
     const std::array<double, 3> weight{std::abs(at.longitudinal), std::abs(at.lateral),
                                        contact_.c() * std::abs(at.spin)};
@@ -53,7 +52,7 @@ inline auto SimplifiedTheory::one_flexibility(const Creepage<double>& at) const 
     return {mean, mean, mean};
 }
 
-inline bool SimplifiedTheory::is_in_range(const Creepage<double>& at) const {
+inline bool SimplifiedTheory::is_in_range(const Creepage& at) const {
     const Flexibility L = flexibility();
     const double a = contact_.half_length(), b = contact_.half_width(), xi = std::abs(at.longitudinal),
                  eta = std::abs(at.lateral), phi = std::abs(at.spin);
@@ -78,7 +77,7 @@ inline double SimplifiedTheory::bound(double ahead, double behind, double half_l
     return mu_ * peak_ * 4 / 3 * (half_length * half_length - mean) / (a * a);
 }
 
-inline auto SimplifiedTheory::stick_zone(const Creepage<double>& at, double y) const -> StickZone {
+inline auto SimplifiedTheory::stick_zone(const Creepage& at, double y) const -> StickZone {
     const double pi = std::numbers::pi, unit = contact_.shear_modulus() / (2 * mu_ * peak_), a = contact_.half_length();
     const double psi = unit * 3 * contact_.c() * c_.c23 * at.spin / pi, rest = (1 - psi) * (1 + psi);
     const double along =
@@ -91,7 +90,7 @@ inline auto SimplifiedTheory::stick_zone(const Creepage<double>& at, double y) c
     return {a * slip, outer, {outer[0], outer[1] - psi}};
 }
 
-inline void SimplifiedTheory::slide(const Creepage<double>& at, const Flexibility& L, double step, double mu_p,
+inline void SimplifiedTheory::slide(const Creepage& at, const Flexibility& L, double step, double mu_p,
                                     SimplifiedElement& element) const {
     const std::array<double, 2> compliance{L.longitudinal, L.lateral};
     const double x = element.x + step / 2;
@@ -123,9 +122,9 @@ inline void SimplifiedTheory::stick_or_slip(const StickZone& zone, const Strip& 
 }
 
 template <class Visitor>
-SimplifiedForce SimplifiedTheory::solve(const Creepage<double>& creepage, bool by_strips, Visitor&& visit) const {
+SimplifiedForce SimplifiedTheory::solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const {
     if (!is_in_range(creepage)) return {};
-    TangentialForce<double> force{0, 0, 0};
+    TangentialForce force{0, 0, 0};
     const double turn = std::numbers::pi / mesh_.strips;
     for (int j = 0; j < mesh_.strips; ++j) {
         // angles of equal size on the unit circle make sums over strips exact for smooth functions
@@ -149,7 +148,7 @@ SimplifiedForce SimplifiedTheory::solve(const Creepage<double>& creepage, bool b
             SimplifiedElement element = by_fastsim;
             if (by_strips) stick_or_slip(zone, strip, ahead, element);
             const double f_x = element.area * element.traction[0], f_y = element.area * element.traction[1];
-            force = force + TangentialForce<double>{f_x, f_y, element.x * f_y - element.y * f_x};
+            force = force + TangentialForce{f_x, f_y, element.x * f_y - element.y * f_x};
             visit(std::as_const(element));
         }
     }

@@ -8,14 +8,16 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "../../detail/finite.hpp"
+#include "../../detail/linear_between.hpp"
 #include "../../detail/require.hpp"
 #include "../simplified_theory.hpp"
 
 namespace rollbem {
 
-ROLLBEM_DECL double t_gamma(const TangentialForce<double>& force, const Creepage<double>& creepage) {
+ROLLBEM_DECL double t_gamma(const TangentialForce& force, const Creepage& creepage) {
     return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
              force.moment * creepage.spin);
 }
@@ -35,13 +37,12 @@ ROLLBEM_DECL double y_over_q(const WheelForces& wheel, WheelsetSide side) {
     return outwards / -wheel.force[2];
 }
 
-ROLLBEM_DECL CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep,
-                                                          const PatchContact<double>& ellipse) {
+ROLLBEM_DECL CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact& ellipse) {
     const char* const who = "creep_coefficients";
     detail::require(ellipse.outline() == nullptr, who, "contact", "outline", "be an ellipse");
     const std::string rule = "be within 0.01 of the table's, " + detail::to_text(creep.grid().poisson_ratio());
     detail::require(creep.fits(ellipse.poisson_ratio()), who, "poisson_ratio", ellipse.poisson_ratio(), rule.c_str());
-    const CreepageTangent<double> at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
+    const CreepageTangent at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
     const double unit = -ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width();
     return {at_rest.by_longitudinal.longitudinal / unit, at_rest.by_lateral.lateral / unit,
             at_rest.by_spin.lateral / unit / ellipse.c()};
@@ -81,6 +82,92 @@ ROLLBEM_DECL PatchForce strip_work_of(const WheelForces::Point& point, const Cre
     return found;
 }
 
+ROLLBEM_DECL double archard_coefficient(double pressure, double sliding_velocity, double hardness) {
+    if (pressure > 0.8 * hardness) return 350e-4;
+    return sliding_velocity < 0.2 || sliding_velocity > 0.7 ? 5e-4 : 35e-4;
+}
+
+ROLLBEM_DECL WearLaw::WearLaw(const std::vector<double>& t_gamma_per_area, const std::vector<double>& rate) {
+    constexpr const char* who = "WearLaw";
+    detail::require(!t_gamma_per_area.empty(), who, "number of places", 0, "be at least 1");
+    detail::require(t_gamma_per_area.size() == rate.size(), who, "number of rates", rate.size(),
+                    "be the number of places");
+    for (std::size_t k = 0; k < rate.size(); ++k) {
+        const double place = t_gamma_per_area[k];
+        detail::require(detail::is_finite(place) && place >= 0, who, "t_gamma_per_area", place,
+                        "be finite and not negative");
+        detail::require(k == 0 || place > t_gamma_per_area[k - 1], who, "t_gamma_per_area", place,
+                        "lie above the one before");
+        detail::require(detail::is_finite(rate[k]) && rate[k] >= 0, who, "rate", rate[k], "be finite and not negative");
+        work_.push_back(1e6 * place);
+        depth_.push_back(1e-3 / density * rate[k]);
+    }
+}
+
+ROLLBEM_DECL WearLaw WearLaw::t_gamma() {
+    WearLaw law({0, 10.4, 77.2}, {0, 55.12, 55.12});
+    law.slope_ = 1e-9 / density * 61.9;
+    return law;
+}
+
+ROLLBEM_DECL WearLaw WearLaw::archard_kth(double hardness) {
+    detail::require_positive("WearLaw", "hardness", hardness);
+    WearLaw law;
+    law.hardness_ = hardness;
+    return law;
+}
+
+ROLLBEM_DECL double WearLaw::depth(const Place& place) const {
+    if (hardness_ > 0) {
+        return archard_coefficient(place.pressure, place.sliding_velocity, hardness_) * place.pressure * place.slip /
+               hardness_;
+    }
+    if (!(place.work > 0)) return 0;
+    return detail::linear_between(work_, depth_, place.work) + slope_ * (std::max)(0.0, place.work - work_.back());
+}
+
+ROLLBEM_DECL PatchForce wear_of(const PatchForce& friction, const WearLaw& law, double velocity) {
+    constexpr Eigen::Index parts = 4;  // of a strip
+    PatchForce worn = friction;
+    const Eigen::ArrayXd& edges = friction.edges;
+    const Eigen::Index strips = friction.strip_work.size();
+    if (strips == 0 || friction.slip.size() == 0) {
+        worn.strip_work.resize(0);
+        return worn;
+    }
+    // 1. The law over the elements of each strip
+    const Eigen::ArrayXd widths = edges.tail(strips) - edges.head(strips);
+    Eigen::ArrayXd volumes = Eigen::ArrayXd::Zero(strips);
+    for (Eigen::Index i = 0; i < friction.slip.size(); ++i) {
+        const LoadedRectangle& element = friction.surface[friction.first_element + std::size_t(i)];
+        const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+        const WearLaw::Place place{friction.work[i] / area, element.pressure, friction.slip[i],
+                                   friction.slip[i] * std::abs(velocity)};
+        const double* const inner = edges.data() + 1;
+        volumes[std::upper_bound(inner, inner + strips - 1, (element.y_1 + element.y_2) / 2) - inner] +=
+            law.depth(place) * area;
+    }
+    // 2. Linear between the middles of strips, 0 at the outer edges
+    std::vector<double> places{edges[0]}, densities{0};
+    for (Eigen::Index k = 0; k < strips; ++k) {
+        places.push_back((edges[k] + edges[k + 1]) / 2);
+        densities.push_back(volumes[k] / widths[k]);
+    }
+    places.push_back(edges[strips]);
+    densities.push_back(0);
+    worn.edges.resize(strips * parts + 1);
+    worn.strip_work.resize(strips * parts);
+    for (Eigen::Index j = 0; j < strips * parts; ++j) {
+        const double part = widths[j / parts] / parts, low = edges[j / parts] + double(j % parts) * part;
+        worn.edges[j] = low;
+        worn.strip_work[j] = part * detail::linear_between(places, densities, low + part / 2);
+    }
+    worn.edges[strips * parts] = edges[strips];
+    const double sum = worn.strip_work.sum();
+    if (sum > 0) worn.strip_work *= volumes.sum() / sum;
+    return worn;
+}
+
 ROLLBEM_DECL double arc_length(const Profile& rail, const WheelForces::Point& point) {
     double nearest = std::numeric_limits<double>::infinity(), s = std::numeric_limits<double>::quiet_NaN();
     for (Eigen::Index i = 1; i < rail.size(); ++i) {
@@ -114,6 +201,26 @@ ROLLBEM_DECL void ProfileWear::add(double s, const PatchForce& friction, double 
             work_[i] += weight * friction.strip_work[k] * (to - from) / (high - low) / width();
         }
     }
+}
+
+ROLLBEM_DECL Eigen::ArrayXd ProfileWear::at_points(const Profile& profile) const {
+    // the integral up to a place
+    Eigen::ArrayXd sums(work_.size() + 1);
+    sums[0] = 0;
+    for (Eigen::Index i = 0; i < work_.size(); ++i) sums[i + 1] = sums[i] + work_[i] * width();
+    const auto up_to = [&](double s) {
+        const double cells = std::clamp(s / width(), 0.0, double(work_.size()));
+        const auto i = (std::min)(Eigen::Index(cells), work_.size() - 1);
+        return sums[i] + (cells - double(i)) * (sums[i + 1] - sums[i]);
+    };
+    const Eigen::Index n = profile.size();
+    Eigen::ArrayXd means(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double from = i == 0 ? 0 : (profile.s()[i - 1] + profile.s()[i]) / 2,
+                     to = i == n - 1 ? profile.length() : (profile.s()[i] + profile.s()[i + 1]) / 2;
+        means[i] = (up_to(to) - up_to(from)) / (to - from);
+    }
+    return means;
 }
 
 }  // namespace rollbem

@@ -1,0 +1,182 @@
+// Bodies of adhesion/transient.hpp. Internal.
+#pragma once
+
+#include "../transient.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../detail/require.hpp"
+#include "../../rolling/detail/stage_equations.hpp"
+#include "../../rolling/detail/stage_table.hpp"
+#include "../../rolling/detail/time_step.hpp"
+#include "../../rolling/run.hpp"
+#include "../../scene/contact.hpp"
+#include "../../scene/detail/contact_units.hpp"
+#include "../../scene/detail/directions.hpp"
+#include "../../scene/patch_contact.hpp"
+#include "../../scene/rigid_motion.hpp"
+#include "../../status.hpp"
+#include "../../system/detail/contact_fit.hpp"
+#include "../../system/detail/time_domain.hpp"
+#include "../../system/rolling_system.hpp"
+#include "../../types.hpp"
+#include "../detail/rational_exponential.hpp"
+#include "../detail/stages.hpp"
+#include "../detail/step_map.hpp"
+
+namespace rollbem {
+
+template <int directions_>
+AdhesionModel<directions_>::AdhesionModel(const Units& units, RollingSystem<double> system, Integrator integrator)
+    : units_(units),
+      system_(std::move(system)),
+      fingerprint_(units.fingerprint ^ system_.fingerprint()),
+      integrator_(integrator),
+      rational_(integrator),
+      slip_(units_, system_.inputs(), units_.shear_modulus),
+      forces_(units_, system_.outputs(), units_.shear_modulus),
+      steady_(slip_.columns()) {
+    detail::require(system_.input_count() == detail::input_count<directions>, name, "number of inputs",
+                    system_.input_count(), directions == 1 ? "be 1" : "be 3");
+    solve(system_.G_prime(), steady_);
+    if (!is_exponential()) return;
+    MatrixX<double> rates = system_.G_prime();
+    solve(system_.G(), rates);
+    rates_norm_ = rates.cwiseAbs().colwise().sum().maxCoeff();
+}
+
+template <int directions_>
+void AdhesionModel<directions_>::solve(MatrixX<double> matrix, MatrixX<double>& right) {
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
+    const detail::MatrixRef<double> factors(matrix);
+    detail::factorise_in_place<double>(factors, swaps.data());
+    for (Eigen::Index j = 0; j < right.cols(); ++j) {
+        detail::solve_in_place<double>(factors, swaps.data(), right.col(j));
+    }
+}
+
+template <int directions_>
+auto AdhesionModel<directions_>::steady(const Value& creepage) const -> State {
+    const Inputs value = detail::in_order(creepage);
+    for (const double component : value) {
+        detail::require_finite(name, "creepage", component);
+    }
+    State state = at_rest();
+    state.traction.noalias() = steady_ * value;
+    return state;
+}
+
+template <int directions_>
+auto AdhesionModel<directions_>::steady(const State& from, const RollingStep& step, State& to,
+                                        Workspace& workspace) const noexcept -> Step {
+    const SemiAxes end = semi_axes(from, step);
+    const Axes at = axes(end);
+    Status status = check(from, end, to, workspace);
+    if (status == Status::ok && step.motion.is_shift()) status = Status::invalid_step;
+    if (status == Status::ok) status = check_growth(0.0, at, at);
+    if (status == Status::ok) status = step.motion.check_rows(0);
+    if (status != Status::ok) return detail::failed<Step>(status);
+    const Inputs value = detail::in_order(step.motion.end());
+    to.traction.setZero();
+    if constexpr (directions == 2) {
+        if (shapes_ && at != contact_axes) {
+            const auto stage = detail::RollingStage::steadily(at);
+            Stages& stages = workspace.stages();
+            stages.solve_steady(preparation(true), {*shapes_, a_over_b_, stage}, slip_, workspace.factors());
+            const auto per_creepage = [&](std::size_t j) -> const VectorX<double>& { return stages.response(j); };
+            for (std::size_t j = 0; j < By::creepages; ++j) {
+                to.traction += value[static_cast<Eigen::Index>(j)] * per_creepage(j);
+            }
+            return finish(from, end, 0, forces_of(per_creepage, at), to);
+        }
+    }
+    const auto per_creepage = [&](std::size_t j) { return steady_.col(static_cast<Eigen::Index>(j)); };
+    for (Eigen::Index j = 0; j < value.size(); ++j) to.traction += value[j] * steady_.col(j);
+    return finish(from, end, 0, forces_of(per_creepage, at), to);
+}
+
+template <int directions_>
+auto AdhesionModel<directions_>::advance(const State& from, const RollingStep& step, State& to,
+                                         Workspace& workspace) const noexcept -> Step {
+    const SemiAxes end = semi_axes(from, step);
+    const double dq = step.travel.dq;
+    const Status possible = detail::check_step(check(from, end, to, workspace), step.motion, dq, 0,
+                                               [&] { return check_growth(dq / units_.length, axes(from), axes(end)); });
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    const bool by_axes = step.load && can_breathe();
+    const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
+    if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
+    const TimeStep rolled{step.motion, units_.length,      axes(from),
+                          axes(end),   dq / units_.length, *detail::stage_table(integrator_)};
+    Problem problem{preparation(), from.traction, slip_, workspace.factors()};
+    problem.asked[By::half_length] = by_axes;
+    if constexpr (directions == 2) problem.asked[By::half_width] = by_axes && shapes_ && !shapes_->is_single();
+    const bool reshaped = reshapes(rolled, problem);
+    if (repeats && !reshaped) return repeat(from, dq, step.motion, to, workspace);
+    if (reshaped) problem.model = preparation(true);
+    return solve_stages(from, step, rolled, problem, to, workspace);
+}
+
+template <int directions_>
+auto AdhesionModel<directions_>::repeat(const State& from, double dq, const Motion& motion, State& to,
+                                        Workspace& workspace) const noexcept -> Step {
+    const detail::ImposedMotion<directions> imposed(motion, dq);
+    detail::StepMap<directions>& map = workspace.map();
+    if (!map.is_of(preparation(), dq)) {
+        map.prepare({preparation(), dq, units_.length, count_doublings(dq / units_.length)}, detail::influence(system_),
+                    rational_, slip_.columns(), forces_.columns(), workspace.factors());
+    }
+    map.apply(from.traction, imposed, to.traction);
+    return finish(from, {from.half_length, from.half_width}, dq, map.tangent(imposed), to);
+}
+
+template <int directions_>
+auto AdhesionModel<directions_>::solve_stages(const State& from, const RollingStep& step, const TimeStep& rolled,
+                                              const Problem& problem, State& to, Workspace& workspace) const noexcept
+    -> Step {
+    Stages& stages = workspace.stages();
+    if (reshapes(rolled, problem)) {
+        if constexpr (directions == 2) {
+            stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
+                use(detail::ShapeEquations(*shapes_, a_over_b_, geometry));
+            });
+        }
+    } else {
+        stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
+            use(detail::LineEquations<RollingSystem<double>>(system_, geometry));
+        });
+    }
+    to.traction = from.traction + stages.change();
+    const auto per_creepage = [&](std::size_t j) -> const VectorX<double>& { return stages.response(j); };
+    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, rolled.end), to);
+    if (result.status == Status::ok) add_tangents(problem, stages, to, result);
+    return result;
+}
+
+template <int directions_>
+void AdhesionModel<directions_>::add_tangents(const Problem& problem, const Stages& stages, const State& to,
+                                              Step& step) const {
+    const bool keeps_shape = shapes_ && shapes_->is_single();
+    for (std::size_t j = By::half_length; j < By::count; ++j) {
+        if (!problem.asked[j]) continue;
+        auto& tangent = j == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
+        tangent = force_along(forces_.rate(to.traction, stages.response(j), axes(to), By::axis(j), keeps_shape));
+    }
+    if constexpr (directions == 2) {
+        if (keeps_shape && problem.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
+    }
+}
+
+}  // namespace rollbem

@@ -1,0 +1,27 @@
+// Line contacts: meshes, schemes and kernels, Chebyshev states, steady rolling, frequency response, steps in time and
+// friction. Not stability, adhesion/stability.hpp, whose eigenvalue solver takes long to compile.
+#pragma once
+
+#include "accuracy/recommendation.hpp"
+#include "adhesion/frequency.hpp"
+#include "adhesion/response.hpp"
+#include "adhesion/transient.hpp"
+#include "assembly/rolling_system.hpp"
+#include "closed_form/carter.hpp"
+#include "discretisation/mesh.hpp"
+#include "discretisation/scheme.hpp"
+#include "elasticity/line_kernel.hpp"
+#include "friction/model.hpp"
+#include "normal/hertz.hpp"
+#include "normal/load.hpp"
+#include "normal/pressure.hpp"
+#include "rolling/run.hpp"
+#include "scene/contact.hpp"
+#include "scene/creepage.hpp"
+#include "scene/rigid_motion.hpp"
+#include "spectral/chebyshev.hpp"
+#include "spectral/polynomial.hpp"
+#include "status.hpp"
+#include "steady/steady.hpp"
+#include "system/rolling_system.hpp"
+#include "types.hpp"

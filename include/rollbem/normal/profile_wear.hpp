@@ -1,0 +1,91 @@
+// Worn profiles: material taken off a wheel or a rail along its normals, the area between two profiles, and the sizes
+// by which EN 15313 and maintenance judge them.
+#pragma once
+
+#include "../detail/decl.hpp"
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "profile.hpp"
+
+namespace rollbem {
+
+/// Ranges of y [m] of a reference that do not wear: of a wheel the steep part of the flange's back, and the tread beyond
+/// 35 mm outside the tape circle, at y = `tape`; of a rail both sides from 20 mm below the top on. Throws
+/// std::invalid_argument if the reference has no such part.
+std::vector<std::array<double, 2>> unworn_parts(const Profile& reference, Profile::Use body, double tape = 0);
+
+/// The profile with a straight line of this length [m] at each end: the sides of a standard rail go on below its
+/// points. Throws std::invalid_argument unless the length is positive and finite.
+Profile extended(const Profile& profile, double length);
+
+/// A rigid motion, Profile::moved(angle, dy, dz), and how well the moved profile fits.
+struct Alignment {
+    double angle, dy, dz;  ///< [rad], [m], [m]
+    double residual;       ///< root mean square of the distances from the reference's parts that count [m]
+    double share;          ///< of the parts' length that counts [-]: the rest is worn, or not measured
+};
+
+/// The motion that brings a profile onto the reference in these parts, ranges of the reference's y, without or with an
+/// angle. It is robust: lengths of less than half of the parts that lie elsewhere do not move it (Tukey's biweight from
+/// the least sum of distances). Throws std::invalid_argument unless every part has points of both profiles and together
+/// they fix the motion.
+Alignment align(const Profile& profile, const Profile& reference, const std::vector<std::array<double, 2>>& parts,
+                bool turns = false);
+
+/// The same curve with further points on it, so that neighbours are at most `spacing` [m] apart. Throws
+/// std::invalid_argument unless the spacing is at least 1e-6 m and finite.
+Profile refined(const Profile& profile, double spacing);
+
+/// The profile without the material of this depth [m] at each of its points, measured along its normals: off a wheel
+/// upwards, off a rail downwards. A corner moves to where both its sides meet. The number of points stays, and so do
+/// the shares of the length at which they lie between corners. Throws std::invalid_argument unless depths are finite,
+/// not negative and as many as points, `body` is a wheel or a rail, and the curve does not fold, as it does at depths
+/// beyond its radius.
+Profile worn(const Profile& profile, const Eigen::ArrayXd& depth, Profile::Use body);
+
+/// The profile without the material of this area per length [m] of the profile, in the places of its points: worn() by
+/// such depths that area_between() is the sum of the areas, each over the length from midway to the point before to
+/// midway to the point behind. Throws as worn().
+Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& area_per_length, Profile::Use body);
+
+/// An area per length [m] at a profile's points, spread along it: the solution d of d - (D d')' = area, D >= 0 [m^2] at
+/// the points, without a flux at the ends. Waves of length w are damped by 1/(1 + D (2 pi/w)^2), the sum over
+/// lengths_at_points() stays, and nothing becomes negative.
+Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, const Eigen::ArrayXd& D);
+
+/// The lengths that belong to the points of a profile [m], from midway to the point before to midway to the next.
+Eigen::ArrayXd lengths_at_points(const Profile& profile);
+
+/// The area between two splines, closed at their ends by straight lines [m^2]; positive where `after` is worn.
+double area_between(const Profile& before, const Profile& after, Profile::Use body);
+
+/// The depth [m] of a worn profile below the curve before, at the points of the worn one.
+Eigen::ArrayXd depth_between(const Profile& before, const Profile& after, Profile::Use body);
+
+/// The sizes of a flange by EN 15313 [m]; NaN where the profile has no such place.
+struct FlangeSizes {
+    double height;     ///< Sh, from the tape circle's point down to the tip
+    double thickness;  ///< Sd, from the flange's back to its face 10 mm below the tape circle's point
+    double qr;         ///< qR, along y from that place of the face to the face 2 mm above the tip
+};
+
+/// The sizes of a right wheel whose origin lies `tape_offset` [m] from the back of its flange.
+FlangeSizes flange_sizes(const Profile& wheel, double tape_offset = 0.07);
+
+/// What is missing of a rail's head [m]; NaN where one of the profiles has no such place.
+struct RailWear {
+    double vertical;  ///< at y = 0
+    double side;      ///< on the inner side, `depth` below the top of the rail before
+};
+
+RailWear rail_wear(const Profile& before, const Profile& after, double depth);
+
+}  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/profile_wear.ipp"
+#endif
