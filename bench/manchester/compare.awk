@@ -1,6 +1,7 @@
 # awk -F, -f compare.awk contact.csv manchester.csv: differences of profile_study from CONTACT over all wheels but the
 # one of which CONTACT joins two contacts: quantity, unit, mean, largest, where. Forces over mu N, moments over mu N c,
-# c = sqrt(area/pi). With -v rows=1 forces and moments of each wheel instead, both signs as on the wheel.
+# c = sqrt(area/pi), each with its own load and area, as CONTACT's grid makes areas larger. With -v rows=1 forces and
+# moments of each wheel instead, both signs as on the wheel.
 /^#/ { next }
 $1 == "side" { for (i = 1; i <= NF; ++i) ref[$i] = i; next }
 $1 == "shift" {
@@ -37,7 +38,8 @@ $own["patch"] == 1 {
     add("spin", "1/mm", 0.001 * $own["spin"] - contact[side, shift, "cphi"])
     add("longitudinal_force", "mu N", (-$own["longitudinal_force"] - contact[side, shift, "fx"]) / limit)
     add("lateral_force", "mu N", (-$own["lateral_force"] - contact[side, shift, "fs"]) / limit)
-    add("spin_moment", "mu N c", (-1000 * $own["spin_moment"] - contact[side, shift, "mn"]) / limit / c)
+    C = 1000 * sqrt($own["area"] / 3.14159265358979)
+    add("spin_moment", "mu N c", -1e6 * $own["spin_moment"] / (300 * $own["load"] * C) - contact[side, shift, "mn"] / limit / c)
 }
 function add(name, unit, difference) {
     if (!(name in count)) { order[++names] = name; of[name] = unit; largest[name] = -1 }
