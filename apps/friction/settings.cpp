@@ -149,7 +149,7 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 
 Pressure read_pressure(const study::Options& options) {
     if (!options.given("pressure")) {
-        const rollbem::HertzPressure hertz;
+        const rollbem::HertzLine::Pressure hertz;
         return {hertz, hertz, true};
     }
     const study::Rule within = study::between(-1, 1);

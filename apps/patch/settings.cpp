@@ -242,8 +242,8 @@ rollbem::PressureGrid read_grid(const study::Options& options) {
 Eigen::ArrayXd means_of(const rollbem::PressureGrid& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
-    std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);
-    for (rollbem::Rectangle<double>& element : elements) {
+    std::vector<rollbem::PatchMesh<double>::Rectangle> elements = patch.mesh.rectangles(a);
+    for (rollbem::PatchMesh<double>::Rectangle& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }
     const Eigen::ArrayXd means = grid(elements);

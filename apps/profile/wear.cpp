@@ -194,7 +194,7 @@ struct WearRun::State {
 
     /// The wheelset with the profiles as they are now, the rail where it was.
     rollbem::WheelsetOnTrack wheelset() const {
-        const rollbem::ContactGeometry& geometry = settings.wheelset.wheel(side).geometry();
+        const rollbem::WheelOnRail::Geometry& geometry = settings.wheelset.wheel(side).geometry();
         rollbem::TrackDimensions dimensions = geometry.dimensions();
         dimensions.rail_origin = geometry.rail_origin();
         const double radius = geometry.rail().roller_radius();

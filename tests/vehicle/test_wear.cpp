@@ -185,7 +185,7 @@ WheelForces::Point loaded_point() {
 
 TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     const WheelForces::Point point = loaded_point();
-    const auto refused = [&](double coefficient, const SimplifiedMesh& mesh) {
+    const auto refused = [&](double coefficient, const SimplifiedTheory::Mesh& mesh) {
         return refusal([&] { strip_work_of(point, creep(), coefficient, mesh); });
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -137,7 +137,7 @@ public:
     using Motion = RigidMotion<Creepage>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
-    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad>>;
+    using RollingStep = rollbem::RollingStep<Motion, detail::GivenLoad<NormalLoad>>;
 
     /// One direction of a line contact: `direction`, 0 longitudinal or 1 lateral, is the direction of the system's
     /// kernel. Two directions of a line contact. A patch, whose half_length() is the system's unit of length. `verdict`

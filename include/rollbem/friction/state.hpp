@@ -69,7 +69,7 @@ inline bool is_finite(const TangentialForce& force) {
 /// no_solution; tangents are NaN also if the equations of the elements are singular.
 struct FrictionStep {
     using Force = TangentialForce;
-    using Tangent = CreepageTangent;
+    using Tangent = TangentialForce::ByCreepage;
 
     Force force = detail::nothing<Force>();  ///< force on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].

@@ -46,6 +46,17 @@ struct Travel {
 /// Motion during one step. Value_ is a number for creepage in one direction (the kernel's), and Creepage for
 /// both. With friction each element may also have a rigid slip of its own: on curved surfaces, rigid slip is not linear
 /// in x and y.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto growing = RigidMotion<Creepage>::linear({0, 0, 0}, {1e-3, 5e-4, 0.1});  // xi, eta [-], spin [1/m]
+///     const auto shift = RigidMotion<double>::shift(1e-6);                               // [m], without rolling
+///     return growing.check(1e-3) == Status::ok && shift.check(0) == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 template <class Value_>
 class RigidMotion {
 public:
