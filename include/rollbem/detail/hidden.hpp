@@ -25,13 +25,16 @@ public:
     }
     ~Hidden() = default;
 
+    /// Owns this object from the start.
+    explicit Hidden(Type&& object)
+        : copy_([](const Type& own) { return new Type(own); }),
+          object_(new Type(std::move(object)), [](Type* own) { delete own; }) {}
+
     Type& made() {
-        if (!object_) {
-            object_ = {new Type, [](Type* object) { delete object; }};
-            copy_ = [](const Type& object) { return new Type(object); };
-        }
+        if (!object_) *this = Hidden(Type());
         return *object_;
     }
+    Type* find() const noexcept { return object_.get(); }  ///< null if there is none
     /// The object, which must have been made.
     const Type& get() const { return *object_; }
 

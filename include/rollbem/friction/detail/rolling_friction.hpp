@@ -17,7 +17,6 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../normal/load.hpp"
-#include "../../rolling/detail/rigid_slip.hpp"
 #include "../../rolling/detail/stage_equations.hpp"
 #include "../../rolling/detail/time_step.hpp"
 #include "../../scene/creepage.hpp"
@@ -29,7 +28,7 @@
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
-#include "friction_evolution.hpp"
+#include "slip_dependent_friction.hpp"
 #include "slip_work.hpp"
 #include "stick_slip.hpp"
 
@@ -112,8 +111,6 @@ struct LoadAtEnd {
 template <int directions>
 struct TangentScratch {
     using By = Parameters<directions>;
-    /// One for each StageProblem::constant.
-    using OfHistories = PerPass<directions>;
 
     explicit TangentScratch(Index n)
         : rate(Vectors<directions>::Zero(n, directions)),
@@ -121,14 +118,14 @@ struct TangentScratch {
           stage_bound_rate(bound_rate) {
         right.fill(rate);
         response.fill(rate);
-        for (OfHistories& each : carried) each.fill(rate);
+        for (PerPass<directions>& each : carried) each.fill(rate);
     }
 
     std::array<bool, By::count> asked{};  ///< parameters of the wanted tangents
     Vectors<directions> rate;
-    OfHistories right, response;                   ///< dc and dp of a tangent
-    std::array<OfHistories, By::count> carried;    ///< dc of the second stage caused by the first
-    VectorX<double> bound_rate, stage_bound_rate;  ///< d bound / d load at the end of the step; in the stage
+    PerPass<directions> right, response;                 ///< dc and dp of a tangent
+    std::array<PerPass<directions>, By::count> carried;  ///< dc of the second stage caused by the first
+    VectorX<double> bound_rate, stage_bound_rate;        ///< d bound / d load at the end of the step; in the stage
     /// The last response to the creepage with one direction. In rolling the next is often the same; its tangent or its
     /// contribution to the second stage is then known.
     struct Memo {
@@ -143,8 +140,6 @@ struct TangentScratch {
 /// All memory of a step, allocated by the constructor. Keeps no reference.
 template <int directions>
 struct StepScratch {
-    using OfHistories = typename TangentScratch<directions>::OfHistories;
-
     StepScratch(Index n, bool coupled, bool slip_dependent)
         : solver(n, coupled),
           problem(n),
@@ -168,10 +163,10 @@ struct StepScratch {
     StageSolution<directions> solution;
     CoefficientScratch<directions> mu;
     TangentScratch<directions> tangents;
-    OfHistories start, displacement;  ///< tractions and displacements from which a stage starts
-    Vectors<directions> first;        ///< tractions after the first of two stages
-    Vectors<directions> change;       ///< slip of the stage, weighted
-    Vectors<directions> slip;         ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
+    PerPass<directions> start, displacement;  ///< tractions and displacements from which a stage starts
+    Vectors<directions> first;                ///< tractions after the first of two stages
+    Vectors<directions> change;               ///< slip of the stage, weighted
+    Vectors<directions> slip;                 ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
     double slip_unit = 1;
     VectorX<double> work;  ///< summed over the stages
     /// Pressures of the present bounds, which are valid [Pa], and bound per pressure; 0 if bounds are of no load.
@@ -484,22 +479,16 @@ void add_tangents(const StepView<directions>& view, const Stage<directions>& now
     }
 }
 
-/// The energy released by jumps. Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of x
-/// times the displacement caused by y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a step
-/// and after its stages. The equations of the stages, s = rigid - u' + (change of u), times their tractions give
+/// The energy released by jumps, which slip work misses as it takes the tractions at the end of a stage (theory.md,
+/// section 11). Let (x, y) be the integral of x times the displacement caused by y, and p_0, p_1, p_2 the tractions at
+/// the start of a step and after its stages:
 ///
-///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
 ///     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
 ///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StagePlace::ratio(), for two stages (sdirk2)
 ///
-/// because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order in
-/// dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short the
-/// step is, and J is the energy (b, b)/2 that the jump releases in addition, for either scheme, whichever stage the
-/// jump is in. A half-length that varies within the step changes J by as much as it changes (b, b). With constant
-/// friction rolling has no jumps.
-///
-/// A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that J is the
-/// integral of b s/2.
+/// A half-length that varies within the step changes J by as much as it changes (b, b). With constant friction rolling
+/// has no jumps. A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that
+/// J is the integral of b s/2.
 template <int directions>
 double jump_work(const StepView<directions>& view) {
     const auto& [contact, step, from, load, scratch] = view;
