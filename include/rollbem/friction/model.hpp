@@ -55,8 +55,7 @@ private:
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
 /// may share the law, and copies share its data. A creepage xi > 0 gives a negative force in steady rolling. States,
 /// motions and results have two directions. A model of one direction, which costs less, reads the components along its
-/// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin. With two
-/// directions, slip and traction are vectors.
+/// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin.
 ///
 /// Steady rolling alone needs only G', which steady_system() makes: the kernel is not integrated for G, no eigenvalue
 /// is judged, and the half-width may be infinite. A model of such a system refuses to advance and to shift
@@ -87,12 +86,12 @@ private:
 /// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, except for
 /// alpha = 0 as above.
 ///
-/// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
-/// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
-/// particle that arrives there. A particle enters with mu_s(0), and its memory is reset where there is no pressure. A
-/// step may have several solutions, of which the coefficients of `from` lead to one, and the nearest one may vanish; the
-/// force then jumps within the step, however short it is (docs/friction.md). Steps must resolve the memory: the slip in
-/// a step should be shorter than the memory's distance.
+/// If mu depends on slip, steps have a duration, {{dq, duration}, creepage}, and v = |slip in a stage| / its duration.
+/// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element starts from
+/// the coefficient of the particle that arrives there. A particle enters with mu_s(0), and its memory is reset where
+/// there is no pressure. A step may have several solutions, of which the coefficients of `from` lead to one, and the
+/// nearest one may vanish; the force then jumps within the step, however short it is (docs/friction.md). Steps must
+/// resolve the memory: the slip in a step should be shorter than the memory's distance.
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
@@ -109,11 +108,6 @@ private:
 ///                               judge_stability(patch_subsystems(mesh, scheme, kernel)),
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
 ///     const FrictionStep step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
-///
-/// A coefficient that depends on slip:
-///
-///     const FrictionModel model(contact, system, verdict, {ExponentialFall{0.3, 0.18, 0.1}, pressure});
-///     const FrictionStep step = model.advance(now, {{dq, duration}, Creepage{1e-3}}, next, workspace);
 class FrictionModel {
 public:
     using State = FrictionState;

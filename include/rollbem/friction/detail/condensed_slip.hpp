@@ -64,7 +64,7 @@ public:
         };
         list(0, sticking());
         list(sticking(), size());
-        by_inverse_ = 2 * others() <= size() && !matrix.serves_once() && matrix.find_inverse(table_);
+        by_inverse_ = 2 * others() <= size() && !matrix.serves_once && matrix.find_inverse(table_);
         is_regular_ = is_usable_ = true;
         for (std::size_t g = 0; g < matrix.groups(); ++g) by_inverse_ ? release(matrix, g) : eliminate(matrix, g);
         return is_usable_;
@@ -218,7 +218,6 @@ private:
 /// element, t the unit vector across it, a and w the vectors n and t turned back (SlipRotation), and k = -a.s/b the
 /// stiffness of the element. With C from CondensedSlip, the tractions change by tau t, where
 ///     (w.C t + k) tau = -w.s
-/// All memory is allocated by the constructor.
 class SlipDirectionSystem {
 public:
     using Row = ElementVector<2>;

@@ -25,7 +25,6 @@ namespace rollbem::detail {
 /// triangles are stored. A longer list that begins with a shorter one contains the shorter one's factors: a border that
 /// moves at the end of the list costs O(n^2) per element, with the same result as a new factorisation. If a pivot is
 /// small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last bit.
-/// All memory is allocated by the constructor.
 class NestedStick : public RoleLists {
 public:
     using Vector = VectorX<double>;

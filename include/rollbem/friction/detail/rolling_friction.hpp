@@ -40,7 +40,40 @@ struct ContactData {
     /// `along` is the direction of a system of one, 0 longitudinal or 1 lateral; else 0. Throws std::invalid_argument,
     /// in the name of `who`, if the law is invalid for the system.
     ContactData(const char* who, const ContactUnits& contact_units, ElementSystem<double, directions> of,
-                const Friction& friction, Index along = 0);
+                const Friction& friction, Index along = 0)
+        : system(std::move(of)),
+          units(contact_units),
+          rigid(units, inputs(system), 1.0),
+          forces(units, outputs(system), 1.0),
+          direction(along),
+          rotates(directions == 2 && system.elements().half_element_ahead),
+          work(system.elements(), rotates),
+          law(friction.law),
+          memory(friction.memory),
+          with_tangents(friction.with_tangents) {
+        require(size() >= 1, who, "number of unknown elements", size(), "be at least 1");
+        require(is_finite(law.at_rest()) && law.at_rest() >= 0, who,
+                law.is_constant() ? "friction_coefficient" : "friction coefficient at rest", law.at_rest(),
+                "be finite and not negative");
+        require_not_negative(who, "distance of the memory", memory.distance);
+        require_not_negative(who, "least_velocity of the memory", memory.least_velocity);
+        const ArrayX<double>& pressure = friction.normal_pressure;
+        require(pressure.size() == system.element_count(), who, "length of normal_pressure", pressure.size(),
+                "equal the number of elements");
+        for (const double each : pressure) require_not_negative(who, "normal_pressure", each);
+        require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
+        require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory",
+                memory.distance, "be 0 for elements in several strips");
+        normal_pressure = pressure.head(size());
+        Fingerprint own, pressures;
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (std::size_t e = 0; e < directions; ++e) own.add(slope(system, d, e));
+        }
+        own.add(system.elements().areas);
+        pressures.add(normal_pressure);  // otherwise a state would continue under another model's pressures
+        matrices = system.has_G() ? system.fingerprint() : own.value();
+        fingerprint = units.fingerprint ^ own.value() ^ pressures.value();
+    }
 
     ElementSystem<double, directions> system;
     ContactUnits units;
@@ -71,33 +104,6 @@ struct ContactData {
         return units.width * units.length * units.length * units.shear_modulus * at.half_length * at.half_width;
     }
 };
-
-template <int directions>
-ContactData<directions>::ContactData(const char* who, const ContactUnits& contact_units,
-                                     ElementSystem<double, directions> of, const Friction& friction, Index along)
-    : system(std::move(of)),
-      units(contact_units),
-      rigid(units, inputs(system), 1.0),
-      forces(units, outputs(system), 1.0),
-      direction(along),
-      rotates(directions == 2 && system.elements().half_element_ahead),
-      work(system.elements(), rotates),
-      law(friction.law),
-      memory(friction.memory),
-      with_tangents(friction.with_tangents) {
-    require_valid(who, friction, system.element_count(), size());
-    require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory", memory.distance,
-            "be 0 for elements in several strips");
-    normal_pressure = friction.normal_pressure.head(size());
-    Fingerprint own, pressures;
-    for (std::size_t d = 0; d < directions; ++d) {
-        for (std::size_t e = 0; e < directions; ++e) own.add(slope(system, d, e));
-    }
-    own.add(system.elements().areas);
-    pressures.add(normal_pressure);  // otherwise a state would continue under another model's pressures
-    matrices = system.has_G() ? system.fingerprint() : own.value();
-    fingerprint = units.fingerprint ^ own.value() ^ pressures.value();
-}
 
 /// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m];
 /// pressure_rate, d pressure / d load, is null without a load of its own.
@@ -173,9 +179,6 @@ struct StepScratch {
     ArrayX<double> pressure;
     double bound_per_pressure = 0;
 
-    bool is_of(const ArrayX<double>& normal_pressure, double per_pressure) const {
-        return bound_per_pressure == per_pressure && has(normal_pressure);
-    }
     /// Whether these pressures are known to be valid.
     bool has(const ArrayX<double>& normal_pressure) const {
         return normal_pressure.size() >= pressure.size() &&
@@ -197,15 +200,14 @@ struct StepView {
         return {scratch.problem, contact.centres(), scratch.solver, scratch.solution};
     }
     Coefficients<directions> coefficients() const {
-        return {contact.law,
-                contact.memory,
-                contact.system.elements(),
-                step,
-                from.friction_coefficient,
-                from.solver.stage_coefficient,
-                scratch.mu};
+        return {contact.law, contact.memory, contact.system.elements(), step, from, scratch.mu};
     }
     std::size_t histories() const { return scratch.problem.two_histories ? 2 : 1; }
+    /// Tractions of the solved pass to which StageProblem::constant[history] belongs.
+    const Vectors<directions>& traction(std::size_t history) const {
+        const StageSolution<directions>& solution = scratch.solution;
+        return solution.pass[histories() == 1 ? solution.last : solution.last == 0 ? 0 : history].traction;
+    }
 };
 
 /// Says which tangents are wanted, sets the sums over the stages to 0, and the tractions and displacements from which
@@ -252,7 +254,7 @@ void set_matrix(const ContactData<directions>& contact, const Stage<directions>&
     if (scratch.matrices == contact.matrices && scratch.geometry == geometry) return;
     scratch.matrices = contact.matrices;
     scratch.geometry = geometry;
-    A.serve_once(geometry.growth != 0 || geometry.widening != 0);
+    A.serves_once = geometry.growth != 0 || geometry.widening != 0;
     with_equations(contact.system, geometry, [&](const auto& equations) {
         for (std::size_t d = 0; d < directions; ++d) {
             for (std::size_t e = 0; e < directions; ++e) {
@@ -269,7 +271,7 @@ void set_bounds(const StepView<directions>& view, const Stage<directions>& now) 
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
     const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
-    if (is_whole && scratch.is_of(load.pressure, contact.bound_per_pressure())) return;
+    if (is_whole && scratch.bound_per_pressure == contact.bound_per_pressure() && scratch.has(load.pressure)) return;
     scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
     if (is_whole) scratch.pressure = load.pressure.head(contact.size());
     VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
@@ -344,10 +346,9 @@ void solve_stage(const StepView<directions>& view, const Stage<directions>& now,
 template <int directions>
 void start_second(const StepView<directions>& view, const Stage<directions>& now) {
     StepScratch<directions>& scratch = view.scratch;
-    const StageSolution<directions>& solution = scratch.solution;
-    if (view.contact.varies()) scratch.first = solution.traction();
+    if (view.contact.varies()) scratch.first = scratch.solution.traction();
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
+        scratch.start[k] = view.traction(k);
         Vectors<directions>& U = scratch.displacement[k];
         find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
         U += now.place.ratio() * (scratch.change - U);
@@ -375,14 +376,9 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
     ProblemChange<directions> change;
     for (std::size_t k = 0; k < view.histories(); ++k) {
         Vectors<directions>& dc = own.right[k];
-        if (now.place.is_second) {
-            dc = own.carried[parameter][k];
-        } else {
-            dc.setZero();
-        }
-        const auto& p = view.histories() == 2 ? solution.traction(k) : solution.traction();
+        now.place.is_second ? void(dc = own.carried[parameter][k]) : void(dc.setZero());
         with_equations(contact.system, now.geometry, [&](const auto& equations) {
-            now.add_rate(parameter, view.contact.rigid, equations, p, own.rate, dc);
+            now.add_rate(parameter, view.contact.rigid, equations, view.traction(k), own.rate, dc);
         });
         change.constant[k] = &dc;
     }
@@ -402,13 +398,11 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
 template <int directions>
 void carry_response(const StepView<directions>& view, const Stage<directions>& now, std::size_t parameter) {
     TangentScratch<directions>& own = view.scratch.tangents;
-    const StageSolution<directions>& solution = view.scratch.solution;
-    const bool two = view.histories() == 2;
+    const bool both = view.histories() == 2 && view.scratch.solution.last == 1;
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        const auto& p = two ? solution.traction(k) : solution.traction();
-        const auto& dp = two && solution.last == 1 ? own.response[k] : own.response.back();
+        const auto& dp = both ? own.response[k] : own.response.back();
         with_equations(view.contact.system, now.geometry, [&](const auto& equations) {
-            now.find_carried(parameter, equations, p, dp, own.rate, own.carried[parameter][k]);
+            now.find_carried(parameter, equations, view.traction(k), dp, own.rate, own.carried[parameter][k]);
         });
     }
     if (view.contact.varies()) view.coefficients().carry(parameter);
@@ -442,21 +436,15 @@ template <int directions>
 void set_tangent(const ContactData<directions>& contact, std::size_t parameter, const InputVector<directions>& forces,
                  FrictionStep& result) {
     using By = Parameters<directions>;
-    const TangentialForce tangent = raised<directions>(forces, contact.direction);
-    if (parameter == By::load) {
-        result.tangent_by_load = tangent;
-    } else if (parameter == By::half_length) {
-        result.tangent_by_half_length = tangent;
-        if (directions == 2 && keeps_shape(contact.system)) result.tangent_by_half_width = {0, 0, 0};  // it follows
-    } else if (parameter == By::half_width) {
-        result.tangent_by_half_width = tangent;
-    } else if (directions == 2) {
-        by_creepage(result.tangent, parameter) = tangent;
-    } else {
-        const auto along = static_cast<std::size_t>(contact.direction);
-        by_creepage(result.tangent, along) = tangent;
-        if (is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
-    }
+    const auto along = static_cast<std::size_t>(contact.direction);
+    TangentialForce& tangent = parameter == By::load          ? result.tangent_by_load
+                               : parameter == By::half_length ? result.tangent_by_half_length
+                               : parameter == By::half_width  ? result.tangent_by_half_width
+                                                              : by_creepage(result.tangent, along + parameter);
+    tangent = raised<directions>(forces, contact.direction);
+    if (directions == 1 && parameter == 0 && is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
+    const bool follows = directions == 2 && parameter == By::half_length && keeps_shape(contact.system);
+    if (follows) result.tangent_by_half_width = {0, 0, 0};
 }
 
 /// Adds the tangents at the end of the last or only stage to the result; keeps the responses of the first of two stages

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -30,9 +29,8 @@ namespace rollbem::detail {
 /// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
 /// period. References to values of the caller, made on the stack for one call.
 struct FrictionEvolution {
-    const std::function<double(double)>& law;
+    const FrictionLaw& law;
     const FrictionMemory& memory;
-    double at_rest;                   ///< mu_s(0)
     const VectorX<double>& duration;  ///< of the period [s]
     const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
     const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
@@ -44,7 +42,7 @@ struct FrictionEvolution {
     /// mu after the period at a slip velocity v.
     double after(Index i, double mu_before, double v) const {
         const double share = kept(i, v);
-        return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
+        return share * mu_before + (1 - share) * (v == 0 ? law.at_rest() : law.of_slip()(v));
     }
 };
 
@@ -61,11 +59,6 @@ public:
     using Solution = StageSolution<directions>;
     using Matrix = MatrixX<double>;
 
-    struct Outcome {
-        int solutions = 0;  ///< number of solutions for stick and slip
-        double change = 0;  ///< largest residual of the equation above
-    };
-
     explicit SlipDependentFriction(Index n)
         : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
         for (VectorX<double>* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_,
@@ -77,28 +70,27 @@ public:
     Index size() const { return start_.size(); }
 
     /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the
-    /// problem. StickSlipSolver::start() comes first.
-    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
-        Search search{evolution, stage, friction, (std::max)(evolution.at_rest, friction.maxCoeff())};
-        Outcome& outcome = search.outcome;
+    /// problem. StickSlipSolver::start() comes first. Returns the number of solutions for stick and slip.
+    int solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
+        Search search{evolution, stage, friction, (std::max)(evolution.law.at_rest(), friction.maxCoeff())};
         Solution& solution = stage.solution;
         start_ = friction;
         find(search);
         double scale = residual_.norm();
-        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
+        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(search.change); ++restart) {
             if (restart == 0) friction = start_;
             find(search);
             scale = iterate_fixed_point(search, scale, restart);
         }
         if (!search.has_converged()) {
-            solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
+            solution.status = is_finite(search.change) ? Status::no_solution : Status::not_finite;
             solution.has_tangent = false;
         }
         solution.at_once = false;  // bounds have changed since start()
         solution.rounds = search.rounds;
         solution.path_points = search.path_points;
-        solution.residual = is_finite(outcome.change) ? (std::max)(solution.residual, outcome.change) : outcome.change;
-        return outcome;
+        solution.residual = is_finite(search.change) ? (std::max)(solution.residual, search.change) : search.change;
+        return search.solutions;
     }
 
     /// To be called before respond(). Returns a number that changes whenever the response to the same change may
@@ -137,25 +129,24 @@ private:
         VectorX<double>& friction;
         double largest;        // mu at rest or at the start; a rising law may lead far above it
         double tolerance = 0;  // residual that rounding explains
-        int rounds = 0, path_points = 0;
-        Outcome outcome{};
+        double change = 0;     // largest residual of the equation above
+        int solutions = 0, rounds = 0, path_points = 0;
 
-        bool has_converged() const { return outcome.change <= tolerance; }
+        bool has_converged() const { return change <= tolerance; }
     };
 
     // Solves for the bounds of the present mu.
     void find(Search& search) {
         const auto& [problem, centres, solver, solution] = search.stage;
-        Outcome& outcome = search.outcome;
         problem.bound = search.friction.cwiseProduct(search.evolution.pressure);
         solver.solve(problem, centres, true, solution);
         search.rounds += solution.rounds;
         search.path_points += solution.path_points;
         is_regular_ = solution.has_tangent;
-        ++outcome.solutions;
+        ++search.solutions;
         evaluate(search);
         // Eigen's maximum may pass over NaN
-        outcome.change =
+        search.change =
             all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<double>::quiet_NaN();
         search.tolerance = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
                            (std::max)(search.largest, search.friction.maxCoeff());
@@ -164,11 +155,12 @@ private:
     // Finds slip velocities, right-hand side and residual.
     void evaluate(const Search& search) {
         const FrictionEvolution& evolution = search.evolution;
-        double ahead = evolution.at_rest;
+        double ahead = evolution.law.at_rest();
         for (Index i = size() - 1; i >= 0; --i) {
             velocity_[i] = evolution.velocity_per_slip * search.stage.solution.slip_size(i);
             const double before = evolution.before == nullptr ? ahead : (*evolution.before)[i];
-            mu_[i] = ahead = evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.at_rest;
+            mu_[i] = ahead =
+                evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.law.at_rest();
             residual_[i] = ahead - search.friction[i];
         }
     }
@@ -178,7 +170,7 @@ private:
     bool newton(Search& search) {
         for (int step = 0; step < most_steps; ++step) {
             if (search.has_converged()) return true;
-            if (!is_finite(search.outcome.change)) return false;
+            if (!is_finite(search.change)) return false;
             factorise(search.evolution, search.stage, false);
             step_ = residual_;
             find_total_change(search.stage.solver, step_);
@@ -243,7 +235,7 @@ private:
             const double v = rounded(velocity_[i]);
             if (steady) kept_[i] = evolution.kept(i, v);
             if (solution.slides[i] == 0) continue;
-            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.at_rest;
+            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.law.at_rest();
             const double before = rounded(steady ? ahead : (*evolution.before)[i]);
             const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
             const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
@@ -354,14 +346,13 @@ struct Coefficients {
     const FrictionMemory& memory;
     const Elements<double>& elements;
     const Step& step;
-    const ArrayX<double>& start;        ///< mu when the step begins
-    const ArrayX<double>& first_guess;  ///< mu from which the first of two stages starts its search, unless empty
+    const FrictionState& from;
     CoefficientScratch<directions>& own;
 
     /// To be called before a stage is solved. In steady rolling particles arrive from the collocation point ahead.
     void enter(const Stage& now) {
         if (!now.place.is_second) {
-            own.friction = start.matrix();
+            own.friction = from.friction_coefficient.matrix();
             own.converged_quickly = own.moves_paths = false;
         }
         if (step.steady) {
@@ -370,6 +361,7 @@ struct Coefficients {
             return;
         }
         own.duration.setConstant(now.place.part * step.duration);
+        const ArrayX<double>& first_guess = from.solver.stage_coefficient;
         if (!now.place.is_last() && first_guess.size() == size()) own.friction = first_guess.matrix();
         if (!remembers()) return own.before.setZero(), void();
         AlongContact<double> at_start = along_start();
@@ -378,7 +370,7 @@ struct Coefficients {
             return;
         }
         own.increment = own.friction - own.before;
-        if (own.converged_quickly) own.friction = start.matrix();
+        if (own.converged_quickly) own.friction = from.friction_coefficient.matrix();
         AlongContact<double> increment = along_first(own.increment);
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
@@ -388,8 +380,8 @@ struct Coefficients {
     }
 
     void solve(const Stage& now, const StageView<directions>& stage) {
-        const auto outcome = own.iteration.solve(evolution(now), stage, own.friction);
-        own.converged_quickly = outcome.solutions <= 4 && (own.converged_quickly || !now.place.is_second);
+        const int solutions = own.iteration.solve(evolution(now), stage, own.friction);
+        own.converged_quickly = solutions <= 4 && (own.converged_quickly || !now.place.is_second);
         if (!now.place.is_second) own.first = own.friction;
     }
 
@@ -432,11 +424,10 @@ private:
 
     FrictionEvolution evolution(const Stage& now) const {
         const double per_slip = step.steady ? step.speed : step.unit / (now.place.part * step.duration);
-        return {law.of_slip(), memory,  law.at_rest(), own.duration, step.steady ? nullptr : &own.before,
-                own.pressure,  per_slip};
+        return {law, memory, own.duration, step.steady ? nullptr : &own.before, own.pressure, per_slip};
     }
 
-    AlongContact<double> along_start() const { return {elements.x, start.data(), law.at_rest()}; }
+    AlongContact<double> along_start() const { return {elements.x, from.friction_coefficient.data(), law.at_rest()}; }
     AlongContact<double> along_first(const VectorX<double>& change) const { return {elements.x, change.data(), 0.0}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     double origin(const Stage& now, Index i) const {

@@ -72,8 +72,6 @@ struct StageSolution {
           bound(slides) {}
 
     const Vectors<directions>& traction() const { return pass[last].traction; }
-    /// Tractions of the pass to which StageProblem::constant[history] belongs.
-    const Vectors<directions>& traction(std::size_t history) const { return pass[last == 0 ? 0 : history].traction; }
     /// s, exactly zero where elements stick. Where they slide, R s opposes the traction.
     const Vectors<directions>& slip() const { return pass[last].slip; }
     double slip_size(Index i) const { return length(ElementVector<directions>(slip().row(i))); }
@@ -393,7 +391,6 @@ private:
         if (refinements_ > 0) base_[search.problem.history].forget();
         return found;
     }
-
     bool iterate(const Search& search, int steps, double share) {
         const auto& problem = search.problem;
         Pass<directions>& pass = search.pass();
@@ -442,9 +439,8 @@ private:
         }
         return false;
     }
-
-    // Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step does
-    // not exist.
+    // Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step
+    // does not exist.
     bool take_step(const Search& search, Eliminated& at) {
         const auto& problem = search.problem;
         const Roles<directions>& roles = search.pass().roles;
@@ -469,9 +465,8 @@ private:
         at.complete(matrix, base, trial_, trial_slip_);
         return true;
     }
-
-    // Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so, clears
-    // the slip of sticking elements.
+    // Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so,
+    // clears the slip of sticking elements.
     bool fits_at_once(const Search& search, const Eliminated& at) {
         const auto& problem = search.problem;
         double error = 0, most = 0, creep = 0, sum = 0;
@@ -496,9 +491,8 @@ private:
         slip_scale_ = scale;
         return true;
     }
-
-    // The residual of the natural map at the trial, summed over the elements. Clears the slip of sticking elements, which
-    // with one direction is the error.
+    // The residual of the natural map at the trial, summed over the elements. Clears the slip of sticking elements,
+    // which with one direction is the error.
     double natural_residual(const Search& search) {
         const auto& problem = search.problem;
         double residual = 0, most = 0;  // largest component of A p
@@ -527,7 +521,6 @@ private:
         slip_scale_ = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
         return residual;
     }
-
     // |p - P(p - rho R s)| of an element.
     static double natural_residual(const Row& p, const Row& rotated_slip, double projection_step, double bound) {
         const Row x = p - projection_step * rotated_slip;
@@ -558,14 +551,13 @@ private:
         }
         return residual;
     }
-
     void find_error(const Search& search) {
         matrix.multiply(search.pass().traction, change_);
         change_ += search.problem.constant - search.pass().slip;
     }
     // Whether s = A p + c holds to round-off; after the last refinement a larger error is accepted.
     bool verify(const Search& search) {
-        if (directions == 1 ? refinements_ > 0 : matrix.serves_once()) {
+        if (directions == 1 ? refinements_ > 0 : matrix.serves_once) {
             find_error(search);
             error_ = change_.cwiseAbs().maxCoeff();
         } else if (directions == 2) {
@@ -583,7 +575,6 @@ private:
         base_[search.problem.history].forget();
         return true;
     }
-
     // Sets the roles of a pass by the natural map, where an element slides from `share` of its bound on.
     static void update_roles(const Search& search, double share) {
         const auto& problem = search.problem;
@@ -618,7 +609,6 @@ private:
         find_slip(search);
         error_ = 0;
     }
-
     // Sets the zones, clears slip of round-off and finds the largest violation of the conditions.
     void check(const Problem& problem, Solution& solution) {
         Pass<directions>& pass = solution.pass[solution.last];
@@ -661,7 +651,6 @@ private:
         solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
                                    : std::numeric_limits<double>::quiet_NaN();
     }
-
     // check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
     // stick can differ.
     void check_again(const ProblemView<directions>& problem, Solution& solution) {
@@ -684,13 +673,12 @@ private:
         const double slip = (std::max)(error_, creep_);
         solution.residual = problem.imposed > 0 ? slip / problem.imposed : slip;
     }
-
     // Factorises the equations of each pass that tangents need. False if they are singular to working precision.
     bool factorise(const Problem& problem, Solution& solution) {
         bool regular = true;
         for (std::size_t k = 0; k <= solution.last; ++k) {
             const Pass<directions>& pass = solution.pass[k];
-            Eliminated* at = eliminate(k, pass.roles);
+            Eliminated* at = solution.at_once ? &eliminated_[0] : eliminate(k, pass.roles);
             if (at == nullptr || !at->is_regular()) return false;
             at_ = static_cast<std::size_t>(at - eliminated_.data());
             if constexpr (directions == 2) {
@@ -703,7 +691,6 @@ private:
         roles_revision_ = roles_revision();
         return regular;
     }
-
     // Finds dp of a pass, and the response of its slip in slip_response_.
     void respond(const Solution& solution, std::size_t number, const Cause& cause, Vectors<directions>& dp) {
         const Pass<directions>& pass = solution.pass[number];
@@ -726,7 +713,6 @@ private:
         }
         at.complete(matrix, response_base_, dp, slip_response_);
     }
-
     // Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
     void add_angle_changes(const Solution& solution, const Centres& centres, MatrixX<double>& aside) {
         unit_.setZero();

@@ -69,19 +69,19 @@ template <class AnyContact, int directions>
 std::shared_ptr<const FrictionData> friction_data(const AnyContact& contact, ElementSystem<double, directions> system,
                                                   const StabilityVerdict& verdict, const Friction& friction,
                                                   Integrator integrator, Eigen::Index direction = 0) {
-    constexpr const char* name = friction_model;
-    require(direction == 0 || direction == 1, name, "direction", direction, "be 0 or 1");
-    auto data = std::make_shared<FrictionData>(
-        FrictionData{ContactData<directions>(name, contact, std::move(system), friction, direction), integrator});
+    require(direction == 0 || direction == 1, friction_model, "direction", direction, "be 0 or 1");
+    auto data = std::make_shared<FrictionData>(FrictionData{
+        ContactData<directions>(friction_model, contact, std::move(system), friction, direction), integrator});
     const auto& own = std::get_if<ContactData<directions>>(&data->contact)->system;
     if constexpr (std::is_same_v<AnyContact, Contact>) {
-        require_same_aspect(name, contact, own);
+        require_same_aspect(friction_model, contact, own);
     } else {
-        require(!own.aspect() && own.elements().places_are_known(), name, "number of places of a patch's elements",
-                own.elements().x.size(), "be theirs: a patch has the system of a PatchMesh");
-        require_same_shape(name, contact, own);
+        require(!own.aspect() && own.elements().places_are_known(), friction_model,
+                "number of places of a patch's elements", own.elements().x.size(),
+                "be theirs: a patch has the system of a PatchMesh");
+        require_same_shape(friction_model, contact, own);
     }
-    require(stage_table(integrator).has_value(), name, "integrator", rollbem::name(integrator),
+    require(stage_table(integrator).has_value(), friction_model, "integrator", rollbem::name(integrator),
             "solve stages, as implicit_euler and sdirk2 do");
     if (!own.has_G()) {
         if constexpr (directions == 1) {
@@ -91,9 +91,10 @@ std::shared_ptr<const FrictionData> friction_data(const AnyContact& contact, Ele
         }
         return data;
     }
-    require(friction.memory.distance == 0 || own.elements().places_are_known(), name, "distance of the memory",
-            friction.memory.distance, "be 0 for a system that does not know the points of its equations");
-    require_usable_in_time(name, own, verdict);
+    require(friction.memory.distance == 0 || own.elements().places_are_known(), friction_model,
+            "distance of the memory", friction.memory.distance,
+            "be 0 for a system that does not know the points of its equations");
+    require_usable_in_time(friction_model, own, verdict);
     return data;
 }
 
@@ -175,17 +176,7 @@ auto motion_along(const ContactData<directions>& contact, const FrictionModel::M
     if constexpr (directions == 2) {
         return motion;
     } else {
-        using Own = RigidMotion<double>;
-        const auto along = [&](const Creepage& value) {
-            return contact.direction == 0 ? value.longitudinal : value.lateral;
-        };
-        const double start = along(motion.start()), end = along(motion.end());
-        const Own own = motion.is_shift() ? Own::shift(end) : motion.is_linear() ? Own::linear(start, end) : Own(end);
-        if (!motion.has_rows()) return own;
-        const auto column = [&](const FrictionModel::Motion::RowsView& rows) {
-            return Own::RowsView(rows.data() + contact.direction * rows.rows(), rows.rows());
-        };
-        return own.with_rows(column(motion.start_rows()), column(motion.end_rows()));
+        return motion.along(contact.direction);
     }
 }
 
@@ -238,8 +229,7 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
     const bool imposed = can_impose(contact, motion.start()) && can_impose(contact, motion.end());
     if (possible == Status::ok && !imposed) possible = Status::needs_places;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    const StageTable stages = *stage_table(integrator);
-    TimeStep<directions> rolled{motion, contact.units.length, start, end, dq, stages};
+    TimeStep<directions> rolled{motion, contact.units.length, start, end, dq, *stage_table(integrator)};
     rolled.duration = duration;
     return solve<directions>({contact, rolled, from, load, *scratch->of(contact)}, to);
 }
