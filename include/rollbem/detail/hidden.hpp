@@ -31,7 +31,10 @@ public:
           object_(new Type(std::move(object)), [](Type* own) { delete own; }) {}
 
     Type& made() {
-        if (!object_) *this = Hidden(Type());
+        if (!object_) {
+            object_ = {new Type, [](Type* object) { delete object; }};
+            copy_ = [](const Type& object) { return new Type(object); };
+        }
         return *object_;
     }
     Type* find() const noexcept { return object_.get(); }  ///< null if there is none
