@@ -457,8 +457,8 @@ std::string notes_of(const Plot& plot, double frame_height) {
         for (int line = 0; line < 3; ++line) {
             const Point at{share(plot.x, note.x), share(plot.y, note.y) + (0.9 + line) * line_height / frame_height};
             const auto is_beside = [&](const auto& other) {
-                const auto letters = double(1 + shown_length(note.text) + shown_length(other.second));
-                return std::abs(other.first.first - at.first) < 0.012 * letters;
+                const auto letters = double(shown_length(note.text) + shown_length(other.second));
+                return std::abs(other.first.first - at.first) < 0.004 + 0.0115 * letters;
             };
             const bool repeats = std::any_of(drawn.begin(), drawn.end(), [&](const auto& other) {
                 return other.second == note.text && is_beside(other);

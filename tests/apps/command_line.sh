@@ -80,7 +80,7 @@ while command -v script >/dev/null && read -r command; do
     done
     on_terminal $command >table
     awk -v rows="$(($(wc -l <out) - 1))" '
-        /,.*,/ || length > 80 { bad = 1 }
+        /[^ ],[^ ]/ || length > 80 { bad = 1 }
         END { exit bad || NR < 3 || !/more (column|row)s?(, [0-9]+ more columns?)? in CSV: --output FILE$/ ||
             (rows > 40) != /^[0-9]+ more rows?[ ,]/ || rows > 40 && $1 != rows - 40 }' table ||
         fail "$command on a terminal: $(cat table)"
