@@ -352,7 +352,9 @@ void add_si_options(study::Options& options) {
     }
     const std::vector<std::string> with{"creepage"};
     options.add("normal-load", "N", "load of the ellipse [N], above 0").only_with(with);
-    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling")
+    options
+        .add("friction", "MU",
+             "coefficient of friction [dimensionless], above 0; mu_0 with " + study::friction_law_flags())
         .only_with(with);
     options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
     options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);

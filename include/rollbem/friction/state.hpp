@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/detail/directions.hpp"
 #include "../status.hpp"
@@ -53,15 +52,6 @@ struct FrictionState {
     /// step. As large as `traction` where slip is rotated; empty means equal to `traction`.
     ElementVectors unrotated_traction;
 };
-
-namespace detail {
-
-/// Whether both components are finite; the moment may be unknown.
-inline bool is_finite(const TangentialForce& force) {
-    return is_finite(force.longitudinal) && is_finite(force.lateral);
-}
-
-}  // namespace detail
 
 /// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, for a line contact over
 /// its width 2b; where b is infinite they are per metre of width (Contact::width()). A model of one direction returns 0

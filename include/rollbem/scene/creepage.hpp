@@ -49,6 +49,15 @@ struct TangentialForce {
     }
 };
 
+namespace detail {
+
+/// Whether both components are finite; the moment may be unknown.
+inline bool is_finite(const TangentialForce& force) {
+    return is_finite(force.longitudinal) && is_finite(force.lateral);
+}
+
+}  // namespace detail
+
 /// Derivatives of a force with respect to both creepages and spin [1/m]; for a rigid shift, to its angle [rad].
 struct TangentialForce::ByCreepage {
     TangentialForce by_longitudinal, by_lateral, by_spin;
