@@ -362,7 +362,7 @@ std::vector<double> friction_by_elements(const Scene& scene, const std::vector<d
     const FrictionModel model(contact, steady_system(mesh, scheme, scene.kernel()),
                               {1, peak * mean_hertz_pressure(mesh)});
     FrictionState now = model.at_rest(), next = now;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     std::vector<double> found;
     for (const double ratio : ratios) {
         const FrictionStep point =

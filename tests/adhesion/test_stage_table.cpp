@@ -91,7 +91,7 @@ namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
 template <int directions>
-void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage& start,
+void compare(const ElementSystem<double, directions>& system, const Friction::Law& law, const Creepage& start,
              const Creepage& middle, const Creepage& end, double growth) {
     using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};

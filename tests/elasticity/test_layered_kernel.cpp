@@ -167,7 +167,7 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
             {1, mu_p0 * mean_hertz_pressure(mesh)});
         const FrictionState rest = model.at_rest();
         FrictionState state = rest;
-        FrictionWorkspace workspace = model.workspace();
+        FrictionModel::Workspace workspace = model.workspace();
         const FrictionStep step =
             model.steady(rest, {.motion = Creepage{2 * (1 - nu) * mu_p0 * delta}}, state, workspace);
         REQUIRE(step.status == Status::ok);

@@ -54,7 +54,7 @@ struct Scene {
 inline FrictionStep from_scratch(const FrictionModel& model, double xi) {
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     return model.steady(rest, {.motion = Creepage{xi}}, state, workspace);
 }
 

@@ -78,7 +78,7 @@ struct SineLoad {
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
     const FrictionModel model = scene.model(integrator);
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     FrictionState now = model.at_rest(), next = now;
     NormalLoad load = scene.hertz.at(sine(0));
     FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);

@@ -176,7 +176,7 @@ TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
                 for (int k = 0; k < count; ++k) {
                     const Body body = is_patch ? patch(draw.decades(-0.3, 0.3)) : line();
                     const ExponentialFall law{mu, 0.2, V * body.creepage};
-                    const FrictionMemory memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
+                    const Friction::Memory memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
                     const Friction friction =
                         falls > 0 ? Friction{law, body.pressure, memory} : Friction{mu, body.pressure};
                     const Error error = error_of(body, friction, way, draw);

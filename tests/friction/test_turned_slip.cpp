@@ -36,7 +36,7 @@ constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sd
 
 using State = FrictionState;
 using Step = FrictionStep;
-using Workspace = FrictionWorkspace;
+using Workspace = FrictionModel::Workspace;
 using Model = FrictionModel;
 using Motion = RigidMotion<Creepage>;
 

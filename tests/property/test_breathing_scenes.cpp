@@ -101,8 +101,8 @@ void ride(Draw& draw, Tally& tally) {
     const FrictionModel two(contact, {x, y}, unchecked, law, integrator);
     FrictionState one_now = one.at_rest(), one_next = one_now;
     FrictionState two_now = two.at_rest(), two_next = two_now;
-    FrictionWorkspace one_workspace = one.workspace();
-    FrictionWorkspace two_workspace = two.workspace();
+    FrictionModel::Workspace one_workspace = one.workspace();
+    FrictionModel::Workspace two_workspace = two.workspace();
     NormalLoad load{law.normal_pressure, a_0, {}};
     Vectors p = Vectors::Zero(n, 2);
     double a = 1;
