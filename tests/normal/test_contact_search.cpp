@@ -11,12 +11,12 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/normal/detail/patch_shape.hpp>
-#include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/detail/sufficient_cells.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/normal/detail/patch_shape.hpp>
+#include <rollbem/normal/detail/region_solver.hpp>
+#include <rollbem/normal/detail/sufficient_cells.hpp>
 
 #include "extremes/deformed_gap.hpp"
 #include "support/catch.hpp"

@@ -22,9 +22,9 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -15,9 +15,9 @@
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
-#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

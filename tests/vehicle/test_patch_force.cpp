@@ -9,8 +9,8 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/wheelset.hpp>
-#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 
 #include "support/catch.hpp"
 
