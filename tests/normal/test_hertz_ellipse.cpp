@@ -127,7 +127,7 @@ TEST_CASE("Equal radii give the circle, and long ellipses the line contact", "[h
     }
 }
 
-TEST_CASE("The load is the derivative of the elastic energy by the approach, and all sizes have rates", "[hertz]") {
+TEST_CASE("The load is the derivative of the elastic energy by the approach", "[hertz]") {
     const HertzEllipse ellipse(wheel_on_rail());
     // N = c approach^(3/2): the energy 2/5 N approach
     const double h = 1e-4 * 1e5;
@@ -135,9 +135,6 @@ TEST_CASE("The load is the derivative of the elastic energy by the approach, and
     const double by_approach =
         0.4 * (more.load() * more.approach() - less.load() * less.approach()) / (more.approach() - less.approach());
     CHECK(relative(by_approach, 1e5) < 1e-8);
-    CHECK(relative((more.half_length() - less.half_length()) / (2 * h), ellipse.half_length_rate()) < 1e-7);
-    CHECK(relative((more.half_width() - less.half_width()) / (2 * h), ellipse.half_width_rate()) < 1e-7);
-    CHECK(relative((more.approach() - less.approach()) / (2 * h), ellipse.approach_rate()) < 1e-7);
     HertzEllipse::Parameters parameters = wheel_on_rail();
     parameters.load = 3e4;
     const HertzEllipse direct(parameters), scaled = ellipse.under(3e4);

@@ -187,18 +187,6 @@ TEST_CASE("Creepages next to nothing have the tangent of rest", "[negligible]") 
     }
 }
 
-TEST_CASE("Creepages that are not finite are called that, whatever is wrong besides", "[negligible][not_finite]") {
-    for (const double bad : {nan, infinite, -infinite}) {
-        for (double Input::*of : {&Input::xi, &Input::eta, &Input::phi, &Input::V}) {
-            Input in;
-            in.*of = bad;
-            CHECK(reduced(in).status == Status::not_finite);
-        }
-    }
-    CHECK(reduced({.V = -1}).status == Status::invalid_step);
-    CHECK(reduced({.N = -1}).status == Status::invalid_load);
-}
-
 TEST_CASE("A distance next to nothing is no step", "[negligible]") {
     for (const double dq : {least, 1e-320, 1e-310, 1e-295}) {
         for (const Entry& entry : entries) {

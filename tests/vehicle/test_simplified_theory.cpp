@@ -72,20 +72,6 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
     }
 }
 
-TEST_CASE("Mirror images of creepages have mirror images of forces", "[simplified]") {
-    const By which = GENERATE(By::fastsim, By::fastrip);
-    for (const Creepage& at : {creepage(0.5, 0.3, 0.4), creepage(1, -0.5, 2), creepage(-0.1, 0.2, -0.3)}) {
-        const auto one = force(which, at, {}), across = force(which, {at.longitudinal, -at.lateral, -at.spin}, {}),
-                   opposite = force(which, {-at.longitudinal, -at.lateral, -at.spin}, {});
-        const double size = 1e-12 * mu * load;
-        CHECK(std::abs(across.longitudinal - one.longitudinal) < size);
-        CHECK(std::abs(across.lateral + one.lateral) < size);
-        CHECK(std::abs(across.moment + one.moment) < size);
-        CHECK(std::abs(opposite.longitudinal + one.longitudinal) < size);
-        CHECK(std::abs(opposite.lateral + one.lateral) < size);
-    }
-}
-
 /// A strip, the middle one, of an ellipse so wide that strip theory is exact, with the coefficients of its limit.
 struct WideStrip {
     PatchContact contact{{1, 1e3, 1, nu}};
