@@ -104,6 +104,7 @@ TEST_CASE("forces without tangents are the forces with tangents, and so are stat
         CHECK(plain.load_on_table == at.load_on_table);
         CHECK(plain.tangent.isZero(0));
         if (at.status != Status::ok) continue;
+        CHECK(std::abs(at.force[2] + x[8]) <= 1e-11 * x[8]);
         CHECK((plain.force - at.force).norm() <= 1e-8 * at.force.norm());
         CHECK(plain.heat == Approx(at.heat).epsilon(1e-6).margin(1e-9));
         for (std::size_t k = 0; k < at.points.size(); ++k) {
@@ -280,6 +281,56 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
             CHECK_THAT(point.creepage.spin, WithinAbs(own.spin, 5e-3));
         }
     }
+}
+
+/// Rows of a point with this half-length; c11, ... are 1.
+ContactRow::Values rows_of(double length) {
+    ContactRow::Values rows = ContactRow::Values::Zero();
+    for (const auto row : ContactRow::positive) rows[row] = 1;
+    rows[ContactRow::share] = 1;
+    rows[ContactRow::length] = length;
+    return rows;
+}
+
+TEST_CASE("an unknown node is the mean of its neighbours, and odd rows go on to yaw 0", "[contact_table]") {
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    ContactTableOptions making{.grid = contact_table_grid(1e5, 3e-3, 7, 2e-2, 3)};
+    making.grid.loads = {1e5};
+    const ContactTable::Grid& grid = making.grid;
+    ContactSide side{.zones = {}, .nodes = std::vector<ContactNode>(std::size_t(grid.nodes()))};
+    for (std::size_t i = 0; i < side.nodes.size(); ++i) {
+        const double yaw = grid.yaws[i / 7];
+        side.nodes[i] = {true, 1e-4 * double(i), 1e-5 * double(i), {rows_of(1e-3 * double(1 + i))}};
+        // at yaw 0 what is odd and divided by the yaw is not known
+        for (const auto row : {ContactRow::arm_x, ContactRow::correction_by_yaw}) {
+            side.nodes[i].zones[0][row] = yaw == 0 ? 9 : 3 + 1e4 * yaw * yaw;
+        }
+    }
+    side.nodes[11].known = false;
+    making.zones = {ContactZones(), ContactZones()};
+    const ContactTable table = ContactTableMaker(track, creep(), making).table({side}).table;
+    REQUIRE(table.grid().shifts.size() == 7);
+    const ContactTable::Side& found = table.side(WheelsetSide::right);
+    CHECK_THAT(found.points(ContactRow::length, 11), WithinRel(12e-3, 1e-6));
+    CHECK_THAT(found.on_rails(0, 11), WithinRel(11e-4, 1e-12));
+    for (const auto row : {ContactRow::arm_x, ContactRow::correction_by_yaw}) {
+        CHECK_THAT(found.points(row, 2), WithinRel(3, 1e-6));
+    }
+}
+
+TEST_CASE("a zone that carries at another load or yaw has the ellipse of the nearer load", "[contact_table]") {
+    const ContactTable::Grid grid{{-2e-3, -1e-3, 0, 1e-3, 2e-3}, {0, 1e-2}, {5e4, 1e5}};
+    ContactTable::Side side{.radius = radius, .zones = ContactZones({{0.7, 1e-3}})};
+    side.on_rails.setZero(2, grid.nodes());
+    side.points.setZero(ContactRow::rows, 2 * grid.nodes());
+    for (Eigen::Index i = 0; i < grid.nodes(); ++i) side.points.col(i) = rows_of(1e-3);
+    for (std::size_t shift = 0; shift < 5; ++shift) {  // the second zone, not at the first load and yaw
+        side.points.col(grid.nodes() + grid.node(0, 1, shift)) = rows_of(2e-3);
+        side.points.col(grid.nodes() + grid.node(1, 0, shift)) = rows_of(3e-3);
+    }
+    const ContactTable table(grid, {8.2e10, 0.28}, {side});
+    CHECK_THAT(table.side(WheelsetSide::right).points(ContactRow::length, grid.nodes() + grid.node(0, 0, 2)),
+               WithinRel(3e-3, 1e-6));
 }
 
 TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[contact_table]") {

@@ -74,6 +74,21 @@ TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "
     CHECK(std::isnan(sliding({.coefficient = mu}).peak_temperature));
 }
 
+TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profiles]") {
+    RailPatch band = ellipse();
+    const Eigen::ArrayXd ends = Eigen::ArrayXd::Constant(2, a);
+    band.outline.emplace(Eigen::ArrayXd{{-b, b}}, -ends, ends);
+    band.pressure.setConstant(band.peak_pressure);
+    band.load = 4 * a * b * band.peak_pressure;
+    const Heating heating;
+    const PatchForce found = patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, TrackDimensions{},
+                                         {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+    REQUIRE(found.status == Status::ok);
+    const double heat = mu * slide * band.peak_pressure;
+    CHECK_THAT(found.peak_temperature,
+               WithinRel(heat * std::sqrt(heating.diffusivity() * 2 * a / (std::numbers::pi * 30)) / 50, 0.04));
+}
+
 TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
     RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
     const PatchForce cold = sliding(friction);
