@@ -418,6 +418,8 @@ TEST_CASE("loads follow heights, which follow loads", "[contact_table]") {
     CHECK(lifted.load == 0);
     const auto light = s1002().load_at_height(WheelsetSide::left, 0, 0, equal.height - 6e-5);
     CHECK((light.load > 0 && light.load < s1002().grid().loads[0]));
+    const auto more = s1002().load_at_height(WheelsetSide::left, 0, 0, equal.height - 6e-5 + 1e-9);
+    CHECK_THAT((more.load - light.load) / 1e-9, WithinRel(light.by_height, 1e-3));
 }
 
 TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]") {

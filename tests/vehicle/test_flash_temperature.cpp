@@ -122,6 +122,13 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     CHECK(of().status == Status::not_converged);
     CHECK(std::isnan(of().force.longitudinal));
     CHECK(of().strip_work.size() == 0);
+    // nor has a wheel that slides on one place of its own
+    friction.heating->friction.reset();
+    for (const double creepage : {0.15, 0.3}) {
+        const WheelsetSpeeds slips{.forward = 30 * (1 - creepage / 2), .pitch_rate = -30 * (1 + creepage / 2) / radius};
+        const PatchForce found = patch_force(ellipse(), {}, slips, TrackDimensions{}, friction);
+        CHECK(std::isnan(found.peak_temperature) == (creepage > 0.2));
+    }
 }
 
 TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {
