@@ -118,9 +118,9 @@ PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scal
     ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
     for (Scalar& y : edges) y = place(y) / unit;
     for (Eigen::Index j = 0; j < m; ++j) {
-        const Scalar y = place(middles[j]);
+        const auto y = static_cast<double>(place(middles[j]));
         const double trailing = outline.trailing(y), leading = outline.leading(y);
-        middles[j] = y / unit;
+        middles[j] = place(middles[j]) / unit;
         middles_x[j] = static_cast<Scalar>((trailing + leading) / 2 / unit);
         half_lengths[j] = static_cast<Scalar>((leading - trailing) / 2 / unit);
     }
