@@ -318,20 +318,6 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(((array(beyond(2.001).force) - array(beyond(1.999).force)).abs() < 1e-3 * mu * load).all());
 }
 
-TEST_CASE("creep_force_table: forces are smooth in a/b") {
-    const Creepage v = creepage(contact(1), 0.5, 0.3, 0.4);
-    for (const double a_over_b : {0.6, 0.93, 1.1, 1.7}) {
-        const auto slope = [&](double step) -> Eigen::Array3d {
-            const auto at = [&](double place) {
-                return ratios(contact(place), small_table().look_up(contact(place), mu, load, v));
-            };
-            return (at(a_over_b + step) - at(a_over_b - step)) / (2 * step);
-        };
-        INFO(slope(1e-6).transpose() << " beside " << slope(1e-4).transpose());
-        CHECK(((slope(1e-6) - slope(1e-4)).abs() < 1e-6).all());
-    }
-}
-
 TEST_CASE("creep_force_table: a file gives the same table, and nothing else is taken for one") {
     const CreepForceTable& table = small_table();
     const std::string good = bytes(table);
