@@ -127,7 +127,8 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         on.to = on.mark;
         const auto found = on.model.advance(on.from, rolled, *on.target, on.workspace);
         Answer answer{Numbers(forces + n), Tangent(forces, own), found.status};
-        answer.values << vector(found.force), on.target->traction;
+        answer.values.setConstant(nan);
+        answer.values.head(forces) << vector(found.force);
         const double per = on.kind == 2 ? dq : 1;
         for (Eigen::Index j = 0; j < forces; ++j) {
             if constexpr (directions == 1) answer.tangent(0, 0) = per * found.tangent;
@@ -138,9 +139,11 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         }
         if (axes > 0) answer.tangent.col(forces) << vector(found.tangent_by_half_length);
         if (axes > 1) answer.tangent.col(forces + 1) << vector(found.tangent_by_half_width);
-        if (found.status == Status::ok) return answer;
-        answer.keeps_target = on.target != &on.to || on.to.traction == on.mark.traction;
-        answer.values.setConstant(nan);
+        if (found.status == Status::ok) {
+            answer.values.tail(n) = on.target->traction;
+        } else {
+            answer.keeps_target = on.target != &on.to || on.to.traction == on.mark.traction;
+        }
         return answer;
     };
     result.draw = [=](Draw& draw) {
@@ -200,7 +203,8 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
     spoilt("another system", [&from] { from.system += 1; });
     spoilt("too few tractions", [&from] { from.traction.conservativeResize(from.traction.size() - 1); });
     spoilt("the state that is written", [scene] { scene->target = &scene->from; });
-    spoilt("a target that is too small", [scene] { scene->mark.traction.resize(scene->to.traction.size() - 1); });
+    spoilt("a target that is too small",
+           [scene] { scene->mark.traction.conservativeResize(scene->to.traction.size() - 1); });
     spoilt("memory of another size",
            [scene] { scene->workspace = AdhesionWorkspace<directions>(scene->model.size() + 1); });
     for (const double bad : {0.0, -1.0, nan, infinite}) {
