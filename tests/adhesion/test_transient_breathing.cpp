@@ -7,13 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -131,6 +125,13 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                         CHECK(step.force == Approx(0.8 * force).epsilon(1e-12));
                         CHECK(model.force(to) == Approx(step.force).epsilon(1e-14));
                         CHECK(to.half_length == a_new * a_0);
+                        if (da != 0) continue;  // the same without a load, after a step of the same distance, too
+                        for (const double before : {0.0, dq * a_0}) {
+                            from.distance = before;
+                            const AdhesionStep<> unloaded = model.advance(from, {dq * a_0, motion}, to, workspace);
+                            CHECK(unloaded.force == Approx(step.force).epsilon(1e-12));
+                        }
+                        from.distance = 0;
                         CHECK(to.system == model.fingerprint());
                     }
                 }

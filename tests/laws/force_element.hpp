@@ -69,6 +69,7 @@ struct ForceElement {
     std::vector<Spoilt> spoilt{};
     std::size_t motions = 0;         ///< the first inputs are creepages, and the first values the forces against them
     std::function<void()> forget{};  ///< gives the element a new workspace
+    std::function<void(const Numbers&)> distract{};  ///< asks for what is not an answer, such as other kinds of motion
 };
 
 /// Calls `function` with an answer's inputs in `count` scenes, the name of which a failure prints.

@@ -20,6 +20,7 @@ inline void has_no_past(const ForceElement& of, int scenes = 20) {
             other = x + (factor - 1) * 1e-2 * sizes(of.inputs);
             of.answer(other);
         }
+        if (of.distract) of.distract(x);
         CHECK(same(of.answer(x), first));
         if (!of.forget) return;
         of.forget();

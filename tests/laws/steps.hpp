@@ -186,7 +186,14 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         return step(other, x);
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
-    result.symmetries = {};
+    result.distract = [=](const Numbers& x) {
+        const int own_kind = scene->kind;
+        for (int kind = 0; kind < 3; ++kind) {
+            scene->kind = (own_kind + kind) % 3;
+            step(*scene, x);
+        }
+        scene->kind = own_kind;
+    };
     result.refusals = {{std::size_t(own), {-1, nan, infinite, -infinite}, Status::invalid_step}};
     for (Eigen::Index j = 0; j < forces; ++j) {
         result.refusals.push_back({std::size_t(j), {nan, infinite, -infinite}, Status::not_finite});
@@ -425,6 +432,15 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         return any();
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
+    result.distract = [=](const Numbers& x) {
+        if (!in_time) return;
+        const int own_kind = scene->kind;
+        for (int kind = 0; kind < 3; ++kind) {
+            scene->kind = (own_kind + kind) % 3;
+            step(*scene, x);
+        }
+        scene->kind = own_kind;
+    };
     if (forces == 3) result.symmetries = {{"across the track", "+--", "+--"}, {"backward motion", "---", "---"}};
     for (Symmetry& symmetry : result.symmetries) {
         symmetry.inputs += std::string(std::size_t(own + travel - forces), '+');
