@@ -7,16 +7,9 @@
 #include <vector>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

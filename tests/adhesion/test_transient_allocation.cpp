@@ -12,22 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/detail/stick_slip.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 

@@ -4,15 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/response.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/scene/patch_contact.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

@@ -6,12 +6,7 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"

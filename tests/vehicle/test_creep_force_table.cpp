@@ -10,16 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"

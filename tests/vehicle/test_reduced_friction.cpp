@@ -5,15 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"

@@ -6,18 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/simplified_theory.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
