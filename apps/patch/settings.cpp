@@ -242,8 +242,8 @@ rollbem::PressureGrid read_grid(const study::Options& options) {
 Eigen::ArrayXd means_of(const rollbem::PressureGrid& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
-    std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);
-    for (rollbem::Rectangle<double>& element : elements) {
+    std::vector<rollbem::PatchMesh<double>::Rectangle> elements = patch.mesh.rectangles(a);
+    for (rollbem::PatchMesh<double>::Rectangle& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }
     const Eigen::ArrayXd means = grid(elements);
@@ -352,7 +352,9 @@ void add_si_options(study::Options& options) {
     }
     const std::vector<std::string> with{"creepage"};
     options.add("normal-load", "N", "load of the ellipse [N], above 0").only_with(with);
-    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling")
+    options
+        .add("friction", "MU",
+             "coefficient of friction [dimensionless], above 0; mu_0 with " + study::friction_law_flags())
         .only_with(with);
     options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
     options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);

@@ -17,7 +17,7 @@ study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t witho
         const double sign = left ? -1 : 1;
         const auto text = [](double value, int digits) { return study::Cell(value).text(digits); };
         study::Series pressure{"", study::Look::cells}, edge{"outline", study::Look::exact};
-        const rollbem::CellGrid& grid = patch.grid;
+        const rollbem::NormalContact::Cells& grid = patch.grid;
         for (Eigen::Index i = 0; i < grid.nx; ++i) {
             for (Eigen::Index j = 0; j < grid.ny; ++j) {
                 const double p = patch.pressure(i, j);

@@ -28,13 +28,13 @@ struct SideOptions {
     std::string source(const char* name) const { return options.given(own(name)) ? own(name) : name; }
 };
 
-rollbem::ProfileFileOptions file_options(const study::Options& options, const std::string& source) {
+rollbem::ProfileFile::Options file_options(const study::Options& options, const std::string& source) {
     std::string mirror;
     if (options.given(source + "-mirror")) mirror = options.choice(source + "-mirror", {"y", "z", "yz"});
-    rollbem::ProfileFileOptions how{.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000.0 : 1.0,
-                                    .mirror_y = mirror.find('y') != std::string::npos,
-                                    .mirror_z = mirror.find('z') != std::string::npos,
-                                    .tape_offset = options.number("tape-offset", study::finite())};
+    rollbem::ProfileFile::Options how{.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000.0 : 1.0,
+                                      .mirror_y = mirror.find('y') != std::string::npos,
+                                      .mirror_z = mirror.find('z') != std::string::npos,
+                                      .tape_offset = options.number("tape-offset", study::finite())};
     if (options.given("smooth")) how.smooth = options.number("smooth", study::between(1e-4, 0.1));
     return how;
 }
@@ -48,7 +48,7 @@ template <class Open>
 auto opened(const study::Options& options, const std::string& source, Use use, const Open& open) {
     const bool standard = is_standard(options, source, use);
     if (standard) options.ignored(source + "-mirror", "with a standard profile");
-    rollbem::ProfileFileOptions how = file_options(options, source);
+    rollbem::ProfileFile::Options how = file_options(options, source);
     if (standard) how.smooth = 0;  // the option smooths the other profile, which is from a file
     auto file = study::blame("--" + source, [&] { return open(options.text(source), how); });
     for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
@@ -78,8 +78,8 @@ std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> read_reference(c
     const bool standard = is_standard(options, name, use);
     const double offset = options.number("tape-offset", study::finite()), tape = 0.07 - offset;
     return study::blame("--" + name, [&]() -> std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> {
-        rollbem::ProfileFileOptions how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
-                                        .tape_offset = offset};
+        rollbem::ProfileFile::Options how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
+                                          .tape_offset = offset};
         const auto rail = [&] { return rollbem::open_rail(options.text(name), how, {.cant = 0}).surface; };
         const auto wheel = [&] { return rollbem::open_wheel(options.text(name), how).surface; };
         const bool changes = use == Use::wheel ? !standard && !wheel().is_round() : !standard && rail().has_sections();
@@ -150,7 +150,7 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
     const SideOptions side{options, left};
     const bool any_shape = options.flag("any-shape");
     if (options.given(side.own("radius"))) dimensions.radius = options.number(side.own("radius"), study::positive());
-    rollbem::RailPlacing placing{.by_origin = dimensions.rail_origin.has_value()};
+    rollbem::ProfileFile::Placing placing{.by_origin = dimensions.rail_origin.has_value()};
     if (options.given("cant")) placing.cant = options.number("cant", study::between(-0.5, 0.5));
     if (options.given("roller-radius")) placing.roller_radius = options.number("roller-radius", study::positive());
     try {

@@ -70,10 +70,10 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
         const AdhesionModel<> first(contact, along, unchecked, integrator),
             second(contact, across, unchecked, integrator);
         Model::State now = both.at_rest(), next = now;
-        AdhesionState first_now = first.at_rest(), first_next = first_now;
-        AdhesionState second_now = second.at_rest(), second_next = second_now;
+        AdhesionModel<>::State first_now = first.at_rest(), first_next = first_now;
+        AdhesionModel<>::State second_now = second.at_rest(), second_next = second_now;
         Model::Workspace workspace = both.workspace();
-        AdhesionWorkspace<> first_workspace = first.workspace(), second_workspace = second.workspace();
+        AdhesionModel<>::Workspace first_workspace = first.workspace(), second_workspace = second.workspace();
         for (int k = 0; k < 12; ++k) {
             const double dq = (k < 6 ? 0.3 : 0.1) * a;
             const auto value = [&](int at) { return Creepage{1e-3 * at, 5e-4 * std::sin(at), 0}; };
@@ -81,11 +81,11 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
                 using One = RigidMotion<decltype(pick(value(0)))>;
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
             };
-            const AdhesionStep<2> step =
+            const AdhesionModel<2>::Step step =
                 both.advance(now, {dq, motion([](const auto& all) { return all; })}, next, workspace);
-            const AdhesionStep<> x = first.advance(
+            const AdhesionModel<>::Step x = first.advance(
                 first_now, {dq, motion([](const auto& all) { return all.longitudinal; })}, first_next, first_workspace);
-            const AdhesionStep<> y = second.advance(
+            const AdhesionModel<>::Step y = second.advance(
                 second_now, {dq, motion([](const auto& all) { return all.lateral; })}, second_next, second_workspace);
             REQUIRE(step.status == Status::ok);
             CAPTURE(name(integrator), k);
@@ -125,7 +125,7 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
         for (const Motion& motion :
              {Motion(end), Motion::linear({1, 2, 3}, end),
               Motion::shift({dq * a * end.longitudinal, dq * a * end.lateral, dq * a * end.spin})}) {
-            const AdhesionStep<2> step = model.advance(from, {dq * a, motion}, to, workspace);
+            const AdhesionModel<2>::Step step = model.advance(from, {dq * a, motion}, to, workspace);
             REQUIRE(step.status == Status::ok);
             CAPTURE(before, vector(step.force), force);
             CHECK((to.traction / G - expected).norm() < 1e-12 * expected.norm());

@@ -30,7 +30,7 @@ inline Numbers draw_inputs(Draw& draw) {
 inline Creepage creepage_in(const Numbers& x) { return {x[0], x[1], x[2]}; }
 inline PatchContact contact_in(const Numbers& x) { return PatchContact({x[5], x[6], x[7], 0.28}); }
 
-inline Answer answer_of(const TabulatedForce& at) {
+inline Answer answer_of(const CreepForceTable::Force& at) {
     Answer result{Numbers(3), Tangent(3, 7), at.status};
     result.values = creep_forces::array(at.force);
     Eigen::Index j = 0;
@@ -106,7 +106,7 @@ inline ForceElement simplified_theory(bool by_strips) {
     result.name = by_strips ? "FaStrip" : "FASTSIM";
     result.answer = [by_strips](const Numbers& x) {
         const SimplifiedTheory theory(contact_in(x), {4.8, 4.4, 2.0, -2.0, 0.9}, x[4], x[3]);
-        const SimplifiedForce at = by_strips ? theory.fastrip(creepage_in(x)) : theory.fastsim(creepage_in(x));
+        const SimplifiedTheory::Force at = by_strips ? theory.fastrip(creepage_in(x)) : theory.fastsim(creepage_in(x));
         Answer answer{Numbers(3), Tangent(3, 0), at.status};
         answer.values = creep_forces::array(at.force);
         return answer;

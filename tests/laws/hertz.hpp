@@ -68,7 +68,7 @@ inline ForceElement ellipse_along_rolling() {
                 },
             .answer =
                 [](const Numbers& x) {
-                    const RollingEllipse at = rolling_ellipse({x[0], x[1]}, x[2]);
+                    const SemiAxes::AlongRolling at = rolling_ellipse({x[0], x[1]}, x[2]);
                     Answer answer{Numbers(2), Tangent(2, 3)};
                     answer.values << at.axes.half_length, at.axes.half_width;
                     answer.tangent << at.by_half_length.half_length, at.by_half_width.half_length,
@@ -85,8 +85,9 @@ inline ForceElement hertz_load(bool breathes) {
     static const HertzLine line(
         {.load_per_width = 1e6, .combined_radius = R, .body_1 = {E, 0.28}, .body_2 = {E, 0.28}});
     const Mesh<double> mesh = cosine_mesh(13);
-    const auto hertz = std::make_shared<const HertzLoad>(
-        breathes ? HertzLoad::breathing(line, mesh) : HertzLoad::fixed(line, mesh, 1.25 * line.half_length()));
+    const auto hertz = std::make_shared<const HertzLine::Load>(
+        breathes ? HertzLine::Load::breathing(line, mesh)
+                 : HertzLine::Load::fixed(line, mesh, 1.25 * line.half_length()));
     const auto load = std::make_shared<NormalLoad>(hertz->at(1e6));
     return {.name = "Hertz's load on a line",
             .inputs = {{1e6}},
@@ -112,9 +113,9 @@ inline ForceElement hertz_patch_load(bool breathes) {
     using namespace hertz_detail;
     const HertzEllipse largest = ellipse_under(1.5 * N);
     const PatchMesh<double> mesh = patch_mesh(largest.contact(), 6, 5);
-    const auto hertz =
-        std::make_shared<const HertzPatchLoad>(breathes ? HertzPatchLoad::breathing(largest, largest.contact(), mesh)
-                                                        : HertzPatchLoad::fixed(largest, largest.contact(), mesh));
+    const auto hertz = std::make_shared<const HertzEllipse::Load>(
+        breathes ? HertzEllipse::Load::breathing(largest, largest.contact(), mesh)
+                 : HertzEllipse::Load::fixed(largest, largest.contact(), mesh));
     const auto load = std::make_shared<NormalLoad>(hertz->at(N));
     const Eigen::Index n = mesh.size();
     return {.name = "Hertz's load on a patch",

@@ -61,11 +61,11 @@ template <int directions>
 struct StuckScene {
     using Model = AdhesionModel<directions>;
     Model model;
-    AdhesionState from = model.at_rest(), to = from, mark = from;
-    AdhesionWorkspace<directions> workspace = model.workspace();
+    typename Model::State from = model.at_rest(), to = from, mark = from;
+    typename Model::Workspace workspace = model.workspace();
     int kind = 0;
     typename Model::Value start{};  ///< the creepage at the start of the step
-    AdhesionState* target = &to;
+    typename Model::State* target = &to;
 };
 
 namespace steps_detail {
@@ -202,18 +202,18 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         result.refusals.push_back({std::size_t(forces + k), {0, -1, nan, infinite}, Status::invalid_load});
     }
     if (axes > 0) result.refusals.push_back({std::size_t(forces), {20 * a_0, 1e-9 * a_0}, Status::needs_fixed_mesh});
-    AdhesionState& from = scene->from;
+    auto& from = scene->from;
     const auto spoilt = [&](const char* words, const std::function<void()>& spoil) {
         result.spoilt.push_back({words, spoil, Status::wrong_state});
     };
-    spoilt("no state", [&from] { from = AdhesionState{}; });
+    spoilt("no state", [&from] { from = {}; });
     spoilt("another system", [&from] { from.system += 1; });
     spoilt("too few tractions", [&from] { from.traction.conservativeResize(from.traction.size() - 1); });
     spoilt("the state that is written", [scene] { scene->target = &scene->from; });
     spoilt("a target that is too small",
            [scene] { scene->mark.traction.conservativeResize(scene->to.traction.size() - 1); });
     spoilt("memory of another size",
-           [scene] { scene->workspace = AdhesionWorkspace<directions>(scene->model.size() + 1); });
+           [scene] { scene->workspace = typename AdhesionModel<directions>::Workspace(scene->model.size() + 1); });
     for (const double bad : {0.0, -1.0, nan, infinite}) {
         spoilt("a half-length that is none", [&from, bad] { from.half_length = bad; });
         if (directions == 2) spoilt("a half-width that is none", [&from, bad] { from.half_width = bad; });

@@ -10,11 +10,11 @@ namespace laws {
 
 TEST_CASE("laws: a wheel by look-up", "[contact_table]") {
     const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
-    WheelFriction by_zones;
+    ContactTable::Friction by_zones;
     by_zones.factor = {0.4, 1, 0.7, 1};
     const int kind = GENERATE(0, 1, 2);  // dry, with a roll of its own, and wet by zones
     if (kind == 2) by_zones.reduced = &wet;
-    const ForceElement of = wheel_look_up(kind == 1, kind == 2 ? by_zones : WheelFriction());
+    const ForceElement of = wheel_look_up(kind == 1, kind == 2 ? by_zones : ContactTable::Friction());
     has_tangent(of, {.scenes = 100, .step = 2e-3, .error = 1e-6, .share = 0.98});
     is_symmetric(of);
     if (kind < 2) keeps_units(of, 1e-12);  // friction that falls with the slip velocity has a time of its own

@@ -29,7 +29,7 @@ inline WheelsetSide side_of(double sign) {
 /// The inputs of WheelForces, and the side, -1 for left; without a roll of its own the roll of equal loads. Values are
 /// forces, moments and heat. The table
 /// gives all lengths.
-inline ForceElement wheel_look_up(bool rolls, const WheelFriction& friction) {
+inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
     constexpr double Q = 1e5;
     const double radius = s1002_on_60e1().side(WheelsetSide::right).radius;
     steel_creep();  // is read now, not by an answer
@@ -60,7 +60,7 @@ inline ForceElement wheel_look_up(bool rolls, const WheelFriction& friction) {
             },
         .answer =
             [rolls, friction](const Numbers& x) {
-                WheelFriction own = friction;
+                ContactTable::Friction own = friction;
                 own.coefficient = x[9];
                 const WheelForces at = s1002_on_60e1().look_up(
                     steel_creep(), side_of(x[x.size() - 1]), {.lateral = x[0], .yaw = x[1]},

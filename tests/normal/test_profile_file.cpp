@@ -52,15 +52,15 @@ const Folder& folder() {
 }
 
 ProfileFile read(const std::string& name, const std::string& text, Use use = Use::piece,
-                 const ProfileFileOptions& options = {.per_metre = 1000}) {
+                 const ProfileFile::Options& options = {.per_metre = 1000}) {
     return read_profile(folder().write(name, text), use, options);
 }
 Profile profile_of(const std::string& name, const std::string& text, Use use = Use::piece,
-                   const ProfileFileOptions& options = {.per_metre = 1000}) {
+                   const ProfileFile::Options& options = {.per_metre = 1000}) {
     return std::get<Profile>(read(name, text, use, options).curve);
 }
 std::string refused(const std::string& name, const std::string& text, Use use = Use::piece,
-                    const ProfileFileOptions& options = {.per_metre = 1000}) {
+                    const ProfileFile::Options& options = {.per_metre = 1000}) {
     return refusal([&] { read(name, text, use, options); });
 }
 
@@ -303,7 +303,7 @@ TEST_CASE("profile_file: a flange is twice as high as a crest on the other side"
 
 TEST_CASE("profile_file: mirrors are applied and noted", "[profiles]") {
     const Profile wheel = s1002();
-    ProfileFileOptions how{.per_metre = 1000};
+    ProfileFile::Options how{.per_metre = 1000};
     how.mirror_y = GENERATE(false, true);
     how.mirror_z = GENERATE(false, true);
     const ProfileFile file = read("a.csv", lines(wheel, how.mirror_y ? -1 : 1, how.mirror_z ? -1 : 1), Use::wheel, how);
@@ -562,7 +562,7 @@ TEST_CASE("profile_file: a flange's back beside its place is doubted, where the 
         return Eigen::ArrayXd(Eigen::ArrayXd::Map(of.data(), Eigen::Index(of.size())));
     };
     const std::string text = lines({array(y), array(z)});
-    const ProfileFileOptions how{.per_metre = 1000, .tape_offset = 1e-3 * scene.tape_offset};
+    const ProfileFile::Options how{.per_metre = 1000, .tape_offset = 1e-3 * scene.tape_offset};
     const ProfileFile file = read("a.csv", text, Use::wheel, how);
     CHECK(file.notes.empty());
     REQUIRE(file.doubts.size() == (*scene.doubt != '\0'));
@@ -572,7 +572,7 @@ TEST_CASE("profile_file: a flange's back beside its place is doubted, where the 
 
 TEST_CASE("surface_file: a rail that is canted unasked is doubted", "[profiles]") {
     const auto path = folder().write("rail.csv", lines(rail_60e1(0), 1, 1, ",", 1));
-    const RailFile usual = open_rail(path), asked = open_rail(path, {}, {.cant = 0.025});
+    const ProfileFile::Rail usual = open_rail(path), asked = open_rail(path, {}, {.cant = 0.025});
     REQUIRE(usual.doubts.size() == 1);
     CHECK(usual.doubts[0] == "turned inwards by 1:40: --cant 0 if the profile is canted already");
     CHECK(asked.doubts.empty());
@@ -691,7 +691,7 @@ void read_changed_files(int count) {
             if (draw.one_in(2)) text.erase(at, length);
             if (draw.one_in(4)) text.insert(at, text.substr(std::size_t(draw.integer(int(text.size()) + 1)), 12));
         }
-        ProfileFileOptions how{.per_metre = 1000, .mirror_y = draw.one_in(2), .mirror_z = draw.one_in(2)};
+        ProfileFile::Options how{.per_metre = 1000, .mirror_y = draw.one_in(2), .mirror_z = draw.one_in(2)};
         if (draw.one_in(3)) how.smooth = draw.decades(1e-5, 1);
         INFO(name << ":\n" << text);
         try {

@@ -532,7 +532,8 @@ TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profi
             if (forces.contacts.status != Status::ok) continue;
             const RollingPower power = power_of(forces, rolling.speeds);
             CHECK(power.lost == Approx(power.creep).epsilon(1e-3));
-            for (const Wrench& wheel : forces.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
+            for (const WheelsetForces::Wrench& wheel : forces.on_wheel)
+                CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
             ++seen;
         }
     }
@@ -556,7 +557,7 @@ TEST_CASE("wheelset_forces: in a curve normal forces work on the turn of the rai
         // pressures ahead of the axle, at x, move across the rails with the rate of turn times x
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             for (const RailPatch& patch : forces.contacts.wheels[std::size_t(side)].patches) {
-                const Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
+                const WheelsetForces::Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
                 const double sign = side == WheelsetOnTrack::Side::left ? -1 : 1;
                 power.lost += sign * turn * patch.x * pressures.force[1];
             }

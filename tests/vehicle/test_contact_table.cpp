@@ -44,7 +44,7 @@ constexpr double radius = 0.46, mu = 0.3;
 using Inputs = std::array<double, WheelForces::inputs>;
 
 /// A roll of 0 stands for the roll of equal loads.
-WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, WheelFriction friction = {}) {
+WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, ContactTable::Friction friction = {}) {
     friction.coefficient = x[9];
     return s1002().look_up(
         creep(), side, {.lateral = x[0], .yaw = x[1]},
@@ -82,7 +82,7 @@ Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 
 TEST_CASE("forces without tangents are the forces with tangents, and so are statuses and points", "[contact_table]") {
     const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
     const int kind = GENERATE(0, 1, 2);  // dry; wet, and slippery by zones; much friction, which may hold a wheel up
-    WheelFriction friction;
+    ContactTable::Friction friction;
     if (kind == 1) {
         friction.factor = {0, 1, 0.7, 1};
         friction.reduced = &wet;
@@ -238,12 +238,12 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
     const WheelOnRail right(rollbem::s1002(), rail_60e1()), left(rollbem::s1002(), rail_54e1(), {.radius = 0.45});
     const bool both = GENERATE(true, false);
     const WheelsetOnTrack track = both ? WheelsetOnTrack(right) : WheelsetOnTrack(left, right);
-    ContactTableOptions making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
-                               .contacts = {.cells_x = 20, .cells_s = 12}};
+    ContactTableMaker::Options making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
+                                      .contacts = {.cells_x = 20, .cells_s = 12}};
     making.grid.loads = {6e4, 1e5};
-    making.zones = {ContactZones(), ContactZones()};
+    making.zones = {ContactTable::Zones(), ContactTable::Zones()};
     making.jobs = 2;
-    const MadeContactTable made = make_contact_table(track, creep(), making);
+    const ContactTableMaker::Result made = make_contact_table(track, creep(), making);
     REQUIRE(made.missing_share == 0);
     REQUIRE(made.table.is_mirrored() == both);
     REQUIRE(made.table.grid().shifts.size() == 5);
@@ -294,10 +294,10 @@ ContactRow::Values rows_of(double length) {
 
 TEST_CASE("an unknown node is the mean of its neighbours, and odd rows go on to yaw 0", "[contact_table]") {
     const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
-    ContactTableOptions making{.grid = contact_table_grid(1e5, 3e-3, 7, 2e-2, 3)};
+    ContactTableMaker::Options making{.grid = contact_table_grid(1e5, 3e-3, 7, 2e-2, 3)};
     making.grid.loads = {1e5};
     const ContactTable::Grid& grid = making.grid;
-    ContactSide side{.zones = {}, .nodes = std::vector<ContactNode>(std::size_t(grid.nodes()))};
+    ContactTableMaker::Side side{.zones = {}, .nodes = std::vector<ContactTableMaker::Node>(std::size_t(grid.nodes()))};
     for (std::size_t i = 0; i < side.nodes.size(); ++i) {
         const double yaw = grid.yaws[i / 7];
         side.nodes[i] = {true, 1e-4 * double(i), 1e-5 * double(i), {rows_of(1e-3 * double(1 + i))}};
@@ -307,7 +307,7 @@ TEST_CASE("an unknown node is the mean of its neighbours, and odd rows go on to 
         }
     }
     side.nodes[11].known = false;
-    making.zones = {ContactZones(), ContactZones()};
+    making.zones = {ContactTable::Zones(), ContactTable::Zones()};
     const ContactTable table = ContactTableMaker(track, creep(), making).table({side}).table;
     REQUIRE(table.grid().shifts.size() == 7);
     const ContactTable::Side& found = table.side(WheelsetSide::right);
@@ -320,7 +320,7 @@ TEST_CASE("an unknown node is the mean of its neighbours, and odd rows go on to 
 
 TEST_CASE("a zone that carries at another load or yaw has the ellipse of the nearer load", "[contact_table]") {
     const ContactTable::Grid grid{{-2e-3, -1e-3, 0, 1e-3, 2e-3}, {0, 1e-2}, {5e4, 1e5}};
-    ContactTable::Side side{.radius = radius, .zones = ContactZones({{0.7, 1e-3}})};
+    ContactTable::Side side{.radius = radius, .zones = ContactTable::Zones({{0.7, 1e-3}})};
     side.on_rails.setZero(2, grid.nodes());
     side.points.setZero(ContactRow::rows, 2 * grid.nodes());
     for (Eigen::Index i = 0; i < grid.nodes(); ++i) side.points.col(i) = rows_of(1e-3);
@@ -423,7 +423,7 @@ TEST_CASE("loads follow heights, which follow loads", "[contact_table]") {
 }
 
 TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]") {
-    const ContactZones zones({{0.722, 3e-3}, {0.73, 2e-3}});
+    const ContactTable::Zones zones({{0.722, 3e-3}, {0.73, 2e-3}});
     for (double y = 0.71; y < 0.74; y += 1e-4) {
         double sum = 0;
         for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
@@ -433,7 +433,10 @@ TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]")
         CHECK_THAT(sum, WithinAbs(1, 1e-15));
     }
     CHECK(zones.weight(1, 0.7265) == 1);
-    CHECK_THAT(refusal([] { ContactZones({{0.72, 3e-3}, {0.724, 2e-3}}); }), ContainsSubstring("lower end of a cut"));
+    CHECK_THAT(refusal([] {
+                   ContactTable::Zones({{0.72, 3e-3}, {0.724, 2e-3}});
+               }),
+               ContainsSubstring("lower end of a cut"));
 }
 
 TEST_CASE("a table of contact geometry is read as it was written", "[contact_table]") {
@@ -469,7 +472,7 @@ TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     CHECK(soft.look_up(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
     CHECK(soft.forces(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
     const double last = s1002().largest_shift();
-    const WheelLoad as_equal(1e5, s1002().on_rails(last, 0, {1e5, 1e5}).roll);
+    const ContactTable::Load as_equal(1e5, s1002().on_rails(last, 0, {1e5, 1e5}).roll);
     CHECK(s1002().look_up(creep(), WheelsetSide::right, {.lateral = last}, speeds, as_equal, mu).status == Status::ok);
 }
 

@@ -81,8 +81,9 @@ TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by a
     CHECK(straight.along_rolling().half_width() == straight.half_width());
 
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
-    CHECK_THAT(refusal([&] { HertzPatchLoad::breathing(turned, contact, mesh); }), ContainsSubstring("along_rolling"));
-    const auto hertz = HertzPatchLoad::breathing(along, contact, mesh);
+    CHECK_THAT(refusal([&] { HertzEllipse::Load::breathing(turned, contact, mesh); }),
+               ContainsSubstring("along_rolling"));
+    const auto hertz = HertzEllipse::Load::breathing(along, contact, mesh);
     NormalLoad now = hertz.at(load);
     CHECK(hertz.set(with_yaw(0.03), now) == Status::invalid_load);
     CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == Status::ok);

@@ -20,8 +20,8 @@ namespace detail {
 
 /// The vertical load [N] of pressures in a plane turned by `angle`, which act along the normals of a surface whose rows
 /// have the slopes dn/ds.
-inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
-                            double angle) {
+inline double vertical_load(const Eigen::ArrayXXd& pressure, const NormalContact::Cells& grid,
+                            const Eigen::ArrayXd& slope, double angle) {
     return (pressure.colwise().sum().transpose() * (std::cos(angle) - std::sin(angle) * slope)).sum() * grid.dx *
            grid.dy;
 }
@@ -29,7 +29,7 @@ inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& gri
 /// The pressures of one plane, with the wheel lower than its gaps assume.
 struct PlanePressures {
     const ContactPlane& plane;
-    const CellGrid& grid;
+    const NormalContact::Cells& grid;
     const Gaps& gaps;
     const NormalContact::Solution& solution;
     const NormalContact::Grid& pressure;
@@ -67,10 +67,10 @@ inline void measure(RailPatch& patch) {
 }
 
 /// The turn of the rail's surface across the outline [rad].
-inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
+inline double turn_across(const WheelOnRail::Geometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline& outline) {
     const auto angle = [&](double s) {
-        const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
+        const RailSurface::Point p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
@@ -92,9 +92,9 @@ inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd&
 }
 
 /// What all patches of a plane have in common.
-inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
+inline RailPatch patch_on(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
     const ContactPlane& plane = of.plane;
-    const PlacedWheel placed = geometry.placed(at);
+    const WheelSurface::Placed placed = geometry.placed(at);
     RailPatch patch;
     patch.x = plane.x;
     patch.y = plane.y;
@@ -118,7 +118,7 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
 
 /// Splits pressures into patches that every row cuts in one interval. Patches too small for an outline that carry less
 /// than `negligible` [N] are dropped.
-inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+inline void add_patches(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
                         double negligible, std::vector<RailPatch>& patches) {
     constexpr double doubtful = 0.2;  // [rad]
     const RailPatch common = patch_on(geometry, at, of);

@@ -144,7 +144,7 @@ namespace rollbem::detail {
 /// Reads one profile file, no sections.
 class ProfileReader {
 public:
-    ProfileReader(const std::filesystem::path& path, Profile::Use use, const ProfileFileOptions& options,
+    ProfileReader(const std::filesystem::path& path, Profile::Use use, const ProfileFile::Options& options,
                   std::vector<std::string>& notes)
         : file_(path), use_(use), options_(options), notes_(notes) {}
 
@@ -217,13 +217,13 @@ private:
 
     TextFile file_;
     Profile::Use use_;
-    const ProfileFileOptions& options_;
+    const ProfileFile::Options& options_;
     std::vector<std::string>& notes_;
     bool turned_ = false, reversed_ = false;
 };
 
 /// Sections and their profiles.
-inline Sections read_sections(const std::filesystem::path& path, Profile::Use use, const ProfileFileOptions& options,
+inline Sections read_sections(const std::filesystem::path& path, Profile::Use use, const ProfileFile::Options& options,
                               std::vector<std::string>& notes) {
     const TextFile file(path);
     const bool along = lower_case(path.extension().string()) == ".slcs";
@@ -231,7 +231,7 @@ inline Sections read_sections(const std::filesystem::path& path, Profile::Use us
         file.refuse(along ? "sections along the track are of a rail" : "sections round the wheel are of a wheel");
     }
     const SectionsText text = SectionsReader::read(file, along ? 1000 : 1);
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     std::optional<bool> turned;
     for (const SectionLine& line : text.sections) {
         const std::string ending = lower_case(line.profile.extension().string());
@@ -265,7 +265,7 @@ inline Sections read_sections(const std::filesystem::path& path, Profile::Use us
 namespace rollbem {
 
 ROLLBEM_DECL ProfileFile read_profile(const std::filesystem::path& path, Profile::Use use,
-                                      const ProfileFileOptions& options) {
+                                      const ProfileFile::Options& options) {
     detail::require_positive("read_profile", "per_metre", options.per_metre);
     detail::require_not_negative("read_profile", "smooth", options.smooth);
     detail::require_finite("read_profile", "tape_offset", options.tape_offset);
@@ -305,7 +305,7 @@ inline void require_profile_file(const std::filesystem::path& name, const char* 
     throw std::invalid_argument(name.string() + ": must be " + standards + " or a file that can be read");
 }
 
-inline void require_no_changes(const std::filesystem::path& name, const ProfileFileOptions& options) {
+inline void require_no_changes(const std::filesystem::path& name, const ProfileFile::Options& options) {
     if (!options.mirror_y && !options.mirror_z && !(options.smooth > 0)) return;
     throw std::invalid_argument(name.string() + ": a standard profile must be neither mirrored nor smoothed");
 }
@@ -314,8 +314,8 @@ inline void require_no_changes(const std::filesystem::path& name, const ProfileF
 
 namespace rollbem {
 
-ROLLBEM_DECL WheelFile open_wheel(const std::filesystem::path& name, const ProfileFileOptions& options,
-                                  bool any_shape) {
+ROLLBEM_DECL ProfileFile::Wheel open_wheel(const std::filesystem::path& name, const ProfileFile::Options& options,
+                                           bool any_shape) {
     if (is_standard_profile(name, Profile::Use::wheel)) {
         detail::require_no_changes(name, options);
         return {s1002(), {}};
@@ -326,8 +326,8 @@ ROLLBEM_DECL WheelFile open_wheel(const std::filesystem::path& name, const Profi
             std::move(file.doubts)};
 }
 
-ROLLBEM_DECL RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options,
-                                const RailPlacing& placing, bool any_shape) {
+ROLLBEM_DECL ProfileFile::Rail open_rail(const std::filesystem::path& name, const ProfileFile::Options& options,
+                                         const ProfileFile::Placing& placing, bool any_shape) {
     const double cant = placing.cant.value_or(detail::usual_cant), radius = placing.roller_radius;
     detail::require_finite("open_rail", "cant", cant);
     detail::require_not_negative("open_rail", "roller_radius", radius);
