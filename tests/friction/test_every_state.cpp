@@ -112,9 +112,13 @@ TEST_CASE("Long runs in which nothing changes do not depend on the workspace, an
         Draw draw(4);
         int settled = 0, cut_short = 0;
         for (int k = 0; k < 300; ++k) {
-            // interrupted by another creepage, distance or shift, and by trials that are thrown away
+            // interrupted by another creepage, distance or shift, by the same motion as a shift, and by trials that are
+            // thrown away
             const double ratio = k == 150 ? 0.15 : 0.4, dq = k % 100 < 80 ? 0.2 : 0.1;
-            const Motion motion = k == 220 ? shift(0.3, 20) : Motion(creepage(ratio, 20));
+            const Creepage held = creepage(ratio, 20);
+            const Motion motion = k == 220   ? shift(0.3, 20)
+                                  : k == 230 ? Motion::shift({dq * a * held.longitudinal, dq * a * held.lateral})
+                                             : Motion(held);
             const Travel travel = Ride::travel(k == 220 ? 0 : dq);
             if (draw.one_in(6)) Task::any(draw, setup, a).run(ride.model, ride.now, ride.next, ride.own);
             Workspace fresh = ride.model.workspace();
