@@ -288,7 +288,8 @@ and without numbers:
                       unit of a profile is meant
   load_not_reached    no height carries the load: another --load; with friction, which may hold the wheel up, --roll
   not_converged       pressures did not settle: other --cells, or --smooth for measured profiles
-  few_cells           fewer than 7 cells touch: finer --cells, or --smooth for measured profiles
+  few_cells           pressures need more cells than can be solved for, or fewer than 7 touch: --smooth for
+                      measured profiles, or finer --cells
   not_finite          a number overflowed: look at the units
 With --friction further ones, with the forces empty:
   invalid_step        the wheel does not roll, as V and -pitch_rate rolling_radius add up to 0: another --pitch-rate

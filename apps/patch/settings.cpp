@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -137,12 +138,20 @@ SiScene read_si(const study::Options& options) {
         options.require(options.given(name), "creepage", std::string("go with --") + name);
     }
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    SiScene scene{positive("normal-load"), positive("friction"),      positive("half-length"),
-                  positive("half-width"),  positive("shear-modulus"), options.row("creepage", 3)};
+    SiScene scene{positive("normal-load"),
+                  positive("friction"),
+                  positive("half-length"),
+                  positive("half-width"),
+                  options.number("shear-modulus", study::shear_modulus()),
+                  options.row("creepage", 3)};
     options.require(!scene.creepage.empty(), "creepage",
                     "be three numbers with commas between them: xi, eta, phi [1/m]");
     options.require(study::between(1e-6, 1e6).holds(scene.a / scene.b), "half-length",
                     "be 1e-6 to 1e6 times --half-width");
+    const double pressure = 1.5 * scene.load / (std::numbers::pi * scene.a * scene.b);
+    options.require(pressure < scene.shear_modulus, "normal-load",
+                    "be in N, --half-length and --half-width in m: the largest pressure, " +
+                        study::Cell(pressure).text(3) + " Pa, is above --shear-modulus");
     return scene;
 }
 
@@ -358,7 +367,7 @@ void add_si_options(study::Options& options) {
         .only_with(with);
     options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
     options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);
-    options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], above 0").only_with(with);
+    options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], 1e7 to 1e13").only_with(with);
 }
 
 void add_transient_options(study::Options& options) {

@@ -73,7 +73,7 @@ study::Picture draw_wear(const std::vector<Worn>& bodies) {
 }
 
 study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& all) {
-    constexpr double apart = 25, room = 11;  // of the profiles, and of numbers above them [mm]
+    constexpr double apart = 25, room = 26;  // of the profiles, and of three lines of numbers above them [mm]
     study::Picture panels;
     for (const std::string side : {"left", "right"}) {
         const rollbem::WheelOnRail& wheel = wheelset.wheel(side == "left" ? Side::left : Side::right);

@@ -8,9 +8,9 @@
 
 #include <gsl/gsl_sf_ellint.h>
 
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/detail/ellipse_pressures.hpp>
 #include <rollbem/normal/detail/elliptic_integrals.hpp>
-#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

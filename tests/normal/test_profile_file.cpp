@@ -183,12 +183,22 @@ TEST_CASE("profile_file: units that make a profile too short or too long are nam
     CHECK_THAT(
         refused("mm.csv", lines(rail), Use::rail, {}),
         ContainsSubstring("mm.csv: length along the profile = 9.388e+04 mm must lie in 5 to 500 mm: these look like "
-                          "millimetres: --length-unit mm"));
+                          "millimetres read as metres: --length-unit mm"));
     CHECK_THAT(refused("m.csv", lines(rail, 1, 1, ",", 1)),
-               ContainsSubstring("must lie in 5 to 500 mm: these look like metres: --length-unit m"));
+               ContainsSubstring("must lie in 5 to 500 mm: these look like metres read as millimetres: "
+                                 "--length-unit m"));
     CHECK_THAT(refused("a.csv", "0 0\n1 0\n2 0\n4.9 0\n"), ContainsSubstring("length along the profile = 4.9 mm"));
     CHECK(refused("a.csv", "0 0\n1 0\n2 0\n5.1 0\n") == "");
-    // inches
+    // units that no option names: the length along the profile, or the width of a wheel
+    for (const auto& [looks, per_metre, read_as] : {std::tuple{"micrometres read as millimetres", 1e6, 1000.0},
+                                                    std::tuple{"micrometres read as metres", 1e6, 1.0},
+                                                    std::tuple{"inches or centimetres read as metres", 100.0, 1.0},
+                                                    std::tuple{"inches or centimetres read as metres", 39.37, 1.0}}) {
+        CHECK_THAT(refused("a.csv", lines(rail, 1, 1, ",", per_metre), Use::rail, {.per_metre = read_as}),
+                   ContainsSubstring(std::string("these look like ") + looks + ": convert the file"));
+    }
+    CHECK_THAT(refused("cm.csv", lines(s1002(), 1, 1, " ", 100), Use::wheel),
+               ContainsSubstring("these look like centimetres read as millimetres: convert the file"));
     CHECK_THAT(refused("inch.csv", lines(s1002(), 1, 1, " ", 1e3 / 25.4), Use::wheel),
                ContainsSubstring("width of the wheel = 0.005116 m must lie in 0.09 to 0.18 m: these look like inches"));
 }

@@ -22,9 +22,9 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -658,7 +658,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
           "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     const RollingFriction friction{.coefficient = 0.5, .elements = 6, .strips = 7};
-    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16};
+    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16, .halves_cells = false};
     // contacts of the last two jump with the loads
     for (const auto& [lateral, yaw] :
          {std::pair{4.91297511e-3, 5.43510045e-3}, {6.59e-3, -6.7e-3}, {7.2e-3, -1.17e-2}}) {
@@ -671,7 +671,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
     }
     // friction that jumps with the load does not settle; the other wheel does
     WheelsetOnTrack::Workspace workspace;
-    const WheelsetRolling rolling{.position = {.lateral = 7.22e-3, .yaw = -1.11e-2},
+    const WheelsetRolling rolling{.position = {.lateral = 7.32e-3, .yaw = -1.14e-2},
                                   .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 20}};
     const auto jumps =

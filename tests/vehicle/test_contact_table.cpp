@@ -15,9 +15,9 @@
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
-#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/creep_ellipse.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -380,7 +380,9 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;
-    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
+    // on the cells from which the table was made
+    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace,
+                                                  {.cells_x = 60, .cells_s = 60, .halves_cells = false});
     REQUIRE(patches.contacts.status == Status::ok);
     ContactTable::Side plain = s1002().side(WheelsetSide::right);
     plain.points.row(ContactRow::creepage_scale).setOnes();

@@ -28,6 +28,9 @@ void require_wheel(const Profile& wheel, double tape_offset);
 void require_rail(const Profile& rail);
 
 struct ProfileFile {
+    /// Remedies in messages and doubts name the options of profile_study; --length-unit is per_metre here,
+    /// --wheel-mirror and --rail-mirror are mirror_y and mirror_z, --any-shape is Profile::Use::piece, others have the
+    /// names of members.
     struct Options {
         double per_metre = 1;                     ///< units of length in a metre, of files with two columns: 1 or 1000
         bool mirror_y = false, mirror_z = false;  ///< the sign of y or z changes

@@ -172,14 +172,18 @@ public:
     };
 
     struct Options {
-        Eigen::Index cells_x = 40, cells_s = 20;  ///< number of cells across the contact; more in patches with two
-                                                  ///< lobes
+        Eigen::Index cells_x = 40, cells_s = 20;  ///< numbers of cells across the contact to begin with; cells_s is
+                                                  ///< larger in patches with two lobes
         double tolerance = 1e-6;                  ///< relative error of the load, and of gaps over the approach
         /// If positive, the side [m] of square cells, one centred on the reference point, as in CONTACT; replaces the
         /// numbers of cells.
         double cell_size = 0;
         /// Whether patches of one wheel displace each other; those split from one region always do.
         bool interaction = true;
+        /// Whether cells are halved, in the directions that need it, where halves would change the largest pressure of
+        /// a patch by more than 5 %, or its load or approach by more than 0.5 %; few_cells where this would take too
+        /// many. If not, results are those of the given cells. Square cells are halved for outlines alone.
+        bool halves_cells = true;
     };
 
     /// Memory of a solution, and the start of the search for the next one.

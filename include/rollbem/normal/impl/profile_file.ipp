@@ -73,13 +73,29 @@ inline std::string fault_of_rail(const Eigen::ArrayXd& y, const Eigen::ArrayXd& 
     return "";
 }
 
-/// The remedy where another unit of length would make a width right, or "".
-inline std::string look_of_unit(double width, double least, double most) {
-    const auto fits = [&](double factor) { return width * factor >= least && width * factor <= most; };
-    if (fits(1000)) return "these look like metres read as millimetres: --length-unit m";
-    if (fits(1e-3)) return "these look like millimetres read as metres: --length-unit mm";
-    if (fits(25.4)) return "these look like inches read as millimetres: convert the file";
-    return "";
+/// The remedy where other units would make a length [m] right, or ""; with `per_metre` of the file that was read only
+/// units taken for that one. Units that an option names come first.
+inline std::string look_of_unit(double length, double least, double most, std::optional<double> per_metre = {}) {
+    struct Mistake {
+        double factor, per_metre;
+        const char *unit, *remedy;
+    };
+    constexpr const char* convert = "convert the file";
+    std::string units, remedy;
+    for (const Mistake& one : {Mistake{1e3, 1e3, "metres", "--length-unit m (per_metre = 1)"},
+                               Mistake{1e-3, 1, "millimetres", "--length-unit mm (per_metre = 1000)"},
+                               Mistake{25.4, 1e3, "inches", convert}, Mistake{10, 1e3, "centimetres", convert},
+                               Mistake{1e-3, 1e3, "micrometres", convert}, Mistake{0.0254, 1, "inches", convert},
+                               Mistake{0.01, 1, "centimetres", convert}, Mistake{1e-6, 1, "micrometres", convert}}) {
+        const double meant = length * one.factor;
+        if (per_metre.value_or(one.per_metre) != one.per_metre || meant < least || meant > most) continue;
+        if (!units.empty() && one.remedy != remedy) break;
+        units += (units.empty() ? "" : " or ") + std::string(one.unit);
+        per_metre = one.per_metre;
+        remedy = one.remedy;
+    }
+    if (units.empty()) return "";
+    return "these look like " + units + " read as " + (*per_metre == 1 ? "metres: " : "millimetres: ") + remedy;
 }
 
 /// The presumed cause, and the options that correct it.
@@ -207,11 +223,8 @@ private:
         }
         if ((length >= 5e-3 && length <= 0.5) || points.size() < 2) return;
         std::string text = "length along the profile = " + in_mm(length) + " must lie in 5 to 500 mm";
-        const double other = options_.per_metre == 1 ? length / 1000 : length * 1000;
-        if (columns && other >= 5e-3 && other <= 0.5) {
-            text += options_.per_metre == 1 ? ": these look like millimetres: --length-unit mm (per_metre = 1000)"
-                                            : ": these look like metres: --length-unit m (per_metre = 1)";
-        }
+        const std::string look = columns ? look_of_unit(length, 15e-3, 0.5, options_.per_metre) : "";
+        if (!look.empty()) text += ": " + look;
         file_.refuse(text);
     }
 

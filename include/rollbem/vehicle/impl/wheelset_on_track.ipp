@@ -62,6 +62,7 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
                                          Workspace& workspace, Free free, const WheelOnRail::Options& options) const
     -> Contacts {
     Contacts contacts;
+    WheelOnRail::Options cells = options;
     // height of the right wheel minus height of the left one; a roll lowers the right wheel, so that the gap falls
     const auto gap = [&](double roll) {
         position.roll = roll;
@@ -69,24 +70,42 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
             const auto k = static_cast<std::size_t>(side);
             WheelsetPosition at = seen_from(side, position);
             at.height += height_above(side);
+            WheelOnRail::Options of = cells;
+            // without numbers of the one wheel there are none of the other
+            if (free == Free::height_and_roll && side == Side::right) {
+                of.halves_cells = of.halves_cells && has_numbers(contacts.wheels[0].status);
+            }
             contacts.wheels[k] = free == Free::nothing
-                                     ? wheels_[k].solve_at_height(at, workspace.wheels[k], options)
-                                     : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], options);
+                                     ? wheels_[k].solve_at_height(at, workspace.wheels[k], of)
+                                     : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], of);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - (contacts.wheels[0].height - height_above(Side::left));
     };
+    // the roll on the given cells, then on those that suffice
+    if (free == Free::height_and_roll) cells.halves_cells = false;
     double roll = position.roll, excess = gap(roll);
     contacts.position = position;
     if (free != Free::height_and_roll) return contacts;
     // contacts, and with them heights, jump a little where grids change
-    constexpr double precise = 1e-10, jump = 1e-6;  // tolerances of the height [m]
-    detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
+    constexpr double precise = 1e-10, small = 1e-8, jump = 1e-6;  // tolerances of the height [m]
+    const detail::RisingRoot anywhere(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
+    detail::RisingRoot root = anywhere;
+    const auto refined = [&] { return cells.halves_cells == options.halves_cells; };
     // a patch with few cells at one roll need not have few at the next
-    const auto goes_on = [&] { return has_numbers(contacts.status) || contacts.status == Status::few_cells; };
-    for (int k = 0; k < 40 && goes_on() && std::abs(excess) > precise; ++k) {
-        roll = root.next(roll, -excess);
-        if (root.width() < 1e-10 && std::abs(excess) < jump) break;
+    const auto goes_on = [&] {
+        return has_numbers(contacts.status) || (contacts.status == Status::few_cells && !cells.halves_cells);
+    };
+    for (int k = 0, fine = 0; k < 60 && goes_on(); ++k) {
+        fine += refined();
+        const bool found =
+            std::abs(excess) <= (fine > 2 ? small : precise) || (root.width() < 1e-10 && std::abs(excess) < jump);
+        if (found && refined()) break;
+        if (!found) roll = root.next(roll, -excess);
+        if (!refined() && std::abs(excess) < jump) {
+            cells.halves_cells = options.halves_cells;
+            root = anywhere;
+        }
         excess = gap(roll);
     }
     if (has_numbers(contacts.status) && std::abs(excess) > jump) contacts.status = Status::load_not_reached;
