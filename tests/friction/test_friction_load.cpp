@@ -8,13 +8,7 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"

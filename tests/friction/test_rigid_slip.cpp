@@ -4,16 +4,8 @@
 #include <limits>
 #include <type_traits>
 
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 
 #include "support/catch.hpp"
 
