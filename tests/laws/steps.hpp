@@ -230,7 +230,7 @@ enum class Law { constant, falling, remembering };
 struct SlippingScene {
     FrictionModel model;
     FrictionState from = model.at_rest(), to = from, mark = from;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     NormalLoad load{}, under{};  ///< whose pressures are factored, and of the step
     ElementVectors rows{};       ///< rigid slip of each element, if any
     Creepage start{};
@@ -253,7 +253,7 @@ struct Body {
 
     FrictionModel model(By by, Law law, bool hole, double factor = 1) const {
         const ExponentialFall falling{mu, 0.2, V * creepage()};
-        const FrictionMemory memory{law == Law::remembering ? a_0 * creepage() : 0, 0.01 * V * creepage()};
+        const Friction::Memory memory{law == Law::remembering ? a_0 * creepage() : 0, 0.01 * V * creepage()};
         const auto friction = [&](ArrayX<double> pressure) {
             if (hole) pressure[1] = 0;
             return law == Law::constant ? Friction{mu, factor * pressure}

@@ -164,7 +164,8 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
 
     // the harmonic wave of k y + c y^2 is balanced about m, k m + c m^2 + c A^2/2 = 0
     const double k = 0.2, c = 10, m = (std::sqrt(k * k - 2 * c * c * A * A) - k) / (2 * c);
-    const EquivalentConicity bent = equivalent_conicity(formula([=](double y) { return 2 * (k * y + c * y * y); }), A);
+    const RadiusDifference::Conicity bent =
+        equivalent_conicity(formula([=](double y) { return 2 * (k * y + c * y * y); }), A);
     CHECK(std::abs(bent.tan_gamma_linear / (k + 2 * c * m) - 1) < 1e-6);
 
     const double step = 1e-3;

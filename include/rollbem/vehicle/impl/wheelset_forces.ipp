@@ -89,7 +89,7 @@ ROLLBEM_DECL WheelsetForces::Wrench WheelsetForces::Wrench::at(const std::array<
     return wrench;
 }
 
-ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const Wrench& other) -> Wrench& {
+ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const WheelsetForces::Wrench& other) -> WheelsetForces::Wrench& {
     for (std::size_t i = 0; i < 3; ++i) {
         force[i] += other.force[i];
         moment[i] += other.moment[i];
