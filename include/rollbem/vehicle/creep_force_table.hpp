@@ -145,11 +145,13 @@ private:
 /// }
 /// \endcode
 ///
-/// - Smoothness: forces have two continuous derivatives, and one where creepage and spin vanish.
+/// - Smoothness: forces have two continuous derivatives, and one where creepage and spin vanish and where the bound
+///   begins to act and takes over.
 /// - Symmetry: exact; without creepage and spin the force is exactly 0.
 /// - Range: for unbounded creepages forces tend to full_sliding(), the outermost level of the table. No creepage lies
 ///   outside.
-/// - Bound: the interpolation may exceed mu N by its error.
+/// - Bound: forces are at most mu N. Where the interpolation lies above 0.9995 mu N, its size follows a cubic that
+///   reaches mu N, with no slope, where the interpolation does.
 ///
 /// Immutable: threads may share it.
 class CreepForceTable {

@@ -418,6 +418,31 @@ struct CreepForceTable::Splines {
         return correction;
     }
 
+    /// The factor that keeps a force within mu N, and its derivative by the size of the force over mu N.
+    struct Bound {
+        double factor = 1, slope = 0;
+
+        explicit Bound(double size) {
+            constexpr double margin = 5e-4;
+            if (size <= 1 - margin) return;
+            const double t = (std::min)((size - 1 + margin) / margin, 1.0);
+            factor = (1 - margin + margin * t * (1 + t * (1 - t))) / size;
+            slope = ((1 - t) * (1 + 3 * t) - factor) / size;
+        }
+    };
+    static void limit(Eigen::Array3d& force) { force.head<2>() *= Bound(force.matrix().head<2>().norm()).factor; }
+    static void limit(Sample& at) {
+        const double size = at.value.matrix().head<2>().norm();
+        const Bound bound(size);
+        if (bound.slope == 0) return;
+        const Eigen::Array2d force = at.value.head<2>();
+        for (Eigen::Array3d* by : {&at.by_x, &at.by_y, &at.by_spin, &at.by_shape}) {
+            const double grows = (force * by->head<2>()).sum() / size;
+            by->head<2>() = bound.factor * by->head<2>() + bound.slope * grows * force;
+        }
+        at.value.head<2>() = bound.factor * force;
+    }
+
     auto saturation_parameter(const PatchContact& contact, const Creepage& creepage) const noexcept -> LinearForce {
         const Ellipse on = ellipse(contact.a_over_b());
         const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
@@ -452,6 +477,7 @@ struct CreepForceTable::Splines {
         Eigen::Array3d of = value<Digits>(on.shape, place[0], place[1], place[2]);
         const double left = 1 - place.norm();
         if (left > 0) of += left * left * left * (3 - 2 * left) * (rest_correction(on).value * place).array();
+        limit(of);
         return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
     }
 
@@ -509,6 +535,7 @@ struct CreepForceTable::Splines {
         if (distance < 1e-9) {  // no rounding
             at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];
         }
+        limit(at);
 
         // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
         const Eigen::Array3d signs(x_sign, sign_of_pair, sign_of_pair), force = at.value * signs;
