@@ -33,7 +33,9 @@ namespace rollbem {
 ///                         Sections::Interpolation::through);
 ///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
 ///     WheelOnRail::Workspace workspace;
-///     return wheel.solve_for_load({.along = 1.5}, 80e3, workspace).height > 0.6e-3 ? 0 : 1;
+///     const auto height = [&](double x) { return wheel.solve_for_load({.along = x}, 80e3, workspace).height; };
+///     const double sinks = height(1.5) - height(0.5);  // by 0.5 mm
+///     return sinks > 0.49e-3 && sinks < 0.51e-3 ? 0 : 1;
 /// }
 /// \endcode
 ///
