@@ -12,9 +12,9 @@
 
 #include <unistd.h>
 
-#include <rollbem/normal/detail/profile_direction.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_file.hpp>
+#include <rollbem/normal/detail/profile_direction.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
