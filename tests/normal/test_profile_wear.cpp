@@ -1,4 +1,4 @@
-// rollbem/normal/profile_wear.hpp, profile_alignment.hpp: worn profiles beside parallel curves and areas; alignment of
+// rollbem/normal/profile_wear.hpp: worn profiles beside parallel curves and areas; alignment of
 // worn and moved ones.
 #include <array>
 #include <cmath>
