@@ -78,10 +78,10 @@ void multiply_triangle(const Eigen::MatrixX<Scalar>& A, Eigen::Index count, cons
     using Block = Eigen::Array<Scalar, triangle_rows, 1>;
     constexpr Eigen::Index panel = 16;
     for (Eigen::Index i = 0; i < count; i += triangle_rows) {
-        const Eigen::Index last = triangle == Triangle::lower ? std::min(count, i + triangle_rows) : count;
+        const Eigen::Index last = triangle == Triangle::lower ? (std::min)(count, i + triangle_rows) : count;
         Block total = Block::Zero();
         for (Eigen::Index j = triangle == Triangle::lower ? 0 : i; j < last;) {
-            const Eigen::Index end = std::min(last, (j / panel + 1) * panel);
+            const Eigen::Index end = (std::min)(last, (j / panel + 1) * panel);
             Block sum = Block::Zero();
             for (; j < end; ++j) sum += Eigen::Map<const Block>(&A(i, j)) * x[j];
             total += sum;

@@ -88,7 +88,7 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
     contacts.position = position;
     if (free != Free::height_and_roll) return contacts;
     // contacts, and with them heights, jump a little where grids change
-    constexpr double precise = 1e-10, small = 1e-8, jump = 1e-6;  // tolerances of the height [m]
+    constexpr double precise = 1e-10, rough = 1e-8, jump = 1e-6;  // tolerances of the height [m]
     const detail::RisingRoot anywhere(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
     detail::RisingRoot root = anywhere;
     const auto refined = [&] { return cells.halves_cells == options.halves_cells; };
@@ -99,7 +99,7 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
     for (int k = 0, fine = 0; k < 60 && goes_on(); ++k) {
         fine += refined();
         const bool found =
-            std::abs(excess) <= (fine > 2 ? small : precise) || (root.width() < 1e-10 && std::abs(excess) < jump);
+            std::abs(excess) <= (fine > 2 ? rough : precise) || (root.width() < 1e-10 && std::abs(excess) < jump);
         if (found && refined()) break;
         if (!found) roll = root.next(roll, -excess);
         if (!refined() && std::abs(excess) < jump) {
