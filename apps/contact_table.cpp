@@ -22,9 +22,9 @@
 #include <vector>
 
 #include <rollbem/vehicle/contact_table.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "contact/contact.hpp"
 #include "support/csv.hpp"
@@ -46,14 +46,14 @@ constexpr double friction = 0.3;
 // --- making ----------------------------------------------------------------------------------------------------------
 
 /// Seconds of processor time that a position takes, from one on the tread and one towards the flange.
-double position_seconds(const Scene& scene, const rollbem::ContactTableOptions& making) {
+double position_seconds(const Scene& scene, const rollbem::ContactTableMaker::Options& making) {
     const auto start = std::clock();
-    rollbem::ContactTableOptions few = making;
+    rollbem::ContactTableMaker::Options few = making;
     few.grid.shifts = {-5e-3, -2.5e-3, 0, 2.5e-3, 5e-3};
     for (double& shift : few.grid.shifts) shift *= std::min(1.0, making.grid.shifts.back() / 5e-3);
     few.grid.yaws = {0, making.grid.yaws[1]};
     few.grid.loads = {making.grid.loads.front()};
-    few.zones = {rollbem::ContactZones(), rollbem::ContactZones()};
+    few.zones = {rollbem::ContactTable::Zones(), rollbem::ContactTable::Zones()};
     few.jobs = 1;
     few.done = [] {};
     try {
@@ -63,7 +63,7 @@ double position_seconds(const Scene& scene, const rollbem::ContactTableOptions& 
     return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
 }
 
-void say_duration(const Scene& scene, const rollbem::ContactTableOptions& making, const char* of) {
+void say_duration(const Scene& scene, const rollbem::ContactTableMaker::Options& making, const char* of) {
     if (!scene.threads.shows) return;
     const std::size_t shifts = making.grid.shifts.size();
     const std::size_t positions = making.lines() * (scene.wheelset.is_mirrored() ? shifts / 2 + 1 : shifts);
@@ -98,7 +98,7 @@ ContactTable make(const Making& job) {
     if (computes) say_duration(job.scene, job.making, "");
     study::Progress progress(program, job.making.lines(), job.scene.threads.shows && computes, "lines");
     std::size_t done = 0;
-    rollbem::ContactTableOptions making = job.making;
+    rollbem::ContactTableMaker::Options making = job.making;
     making.done = [&] { progress.update(++done); };
     return study::blame(job.said,
                         [&] {

@@ -41,7 +41,7 @@ public:
         if (step.status != Status::ok) std::exit(EXIT_FAILURE);
         constexpr int n = 40;
         const SimplifiedTheory theory(contact_, kalker_, 1, 1, {n, n}),
-            elliptic(contact_, kalker_, 1, 1, {n, n, TractionBound::elliptic});
+            elliptic(contact_, kalker_, 1, 1, {n, n, SimplifiedTheory::Bound::elliptic});
         return {step.force, theory.fastsim(at).force, elliptic.fastsim(at).force, theory.fastrip(at).force,
                 saturated(x, y + spin)};
     }
@@ -62,7 +62,7 @@ private:
         creep_coefficients(contact_, solve_steady(contact_, patch_mesh(contact_, 16, 16), scheme));
     FrictionModel model_;
     FrictionState state_ = model_.at_rest();
-    FrictionWorkspace workspace_ = model_.workspace();
+    FrictionModel::Workspace workspace_ = model_.workspace();
 };
 
 double difference(const TangentialForce& one, const TangentialForce& other) {

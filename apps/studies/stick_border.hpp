@@ -30,7 +30,7 @@
 namespace rollbem::studies {
 
 /// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element
-/// of any mesh, in case elements are needed. HertzPressure and PressureTable are such laws.
+/// of any mesh, in case elements are needed. HertzLine::Pressure and PressureTable are such laws.
 template <class Pressure, class Scalar>
 concept PressureLaw = requires(const Pressure& pressure, Scalar x_over_a, const Mesh<Scalar>& mesh) {
     { pressure(x_over_a) } -> std::convertible_to<Scalar>;
@@ -120,7 +120,7 @@ void solve_on_elements(const Contact& contact, const Kernel& kernel, double fric
                               Friction{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     const FrictionStep step = model.steady(rest, {.motion = Creepage{creepage}}, state, workspace);
     result.elements.emplace(
         studies::StickBorderSolution<double>::OnElements{mesh, state.traction.col(0), workspace.slip().col(0)});

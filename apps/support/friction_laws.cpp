@@ -15,7 +15,7 @@ const std::vector<FrictionLawRow>& friction_laws() {
          .parameters = {{"falling_ratio", "parameters of --falling"}, {"half_velocity", ""}},
          .rule = "be K,VH with K >= 0 and VH > 0, both finite",
          .holds = [](const std::vector<double>& p) { return p[0] >= 0 && p[1] > 0; },
-         .law = [](const std::vector<double>& p) -> rollbem::FrictionLaw {
+         .law = [](const std::vector<double>& p) -> rollbem::Friction::Law {
              return rollbem::ExponentialFall{1, p[0], p[1]};
          },
          .title = {"μ falls to μ_0 times ", ", by half at a slip of "}}};
@@ -26,6 +26,12 @@ std::vector<std::string> friction_law_options() {
     std::vector<std::string> names;
     for (const FrictionLawRow& row : friction_laws()) names.push_back(row.option);
     return names;
+}
+
+std::string friction_law_flags() {
+    std::string flags;
+    for (const FrictionLawRow& row : friction_laws()) flags += (flags.empty() ? "--" : " or --") + row.option;
+    return flags;
 }
 
 void add_friction_laws(Options& options) {

@@ -26,20 +26,22 @@ struct FrictionLawRow {
     std::vector<Parameter> parameters;
     std::string rule;  ///< "be ...", what finite parameters must satisfy, as `holds` checks it
     bool (*holds)(const std::vector<double>& parameters);
-    rollbem::FrictionLaw (*law)(const std::vector<double>& parameters);
+    rollbem::Friction::Law (*law)(const std::vector<double>& parameters);
     std::vector<std::string> title;  ///< a text before each parameter
 };
 
 const std::vector<FrictionLawRow>& friction_laws();
 std::vector<std::string> friction_law_options();
+/// The options of all laws in a sentence: --falling, or --ONE or --OTHER.
+std::string friction_law_flags();
 
 /// A law with its parameters and memory; velocities in V mu_0 p0/G, distances in a mu_0 p0/G.
 struct ChosenLaw {
     const FrictionLawRow* row;
     std::vector<double> parameters;
-    rollbem::FrictionMemory memory{};
+    rollbem::Friction::Memory memory{};
 
-    rollbem::FrictionLaw law() const { return row->law(parameters); }
+    rollbem::Friction::Law law() const { return row->law(parameters); }
 };
 
 /// The options of all laws, of which one may be given, and --memory.
@@ -62,11 +64,11 @@ std::vector<Column<Row>> friction_law_columns(const LawOf& law_of) {
                                }});
         }
     }
-    const auto of_memory = [=](double rollbem::FrictionMemory::*member) {
+    const auto of_memory = [=](double rollbem::Friction::Memory::*member) {
         return [=](const Row& r) { return law_of(r) ? Cell((*law_of(r)).memory.*member) : Cell(); };
     };
-    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::FrictionMemory::distance)});
-    columns.push_back({"least_velocity", "", of_memory(&rollbem::FrictionMemory::least_velocity)});
+    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::Friction::Memory::distance)});
+    columns.push_back({"least_velocity", "", of_memory(&rollbem::Friction::Memory::least_velocity)});
     return columns;
 }
 

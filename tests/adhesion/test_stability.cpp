@@ -4,6 +4,8 @@
 #include <complex>
 #include <limits>
 
+#include <Eigen/QR>
+
 #include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
@@ -151,7 +153,7 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
     int settled = 0, unstable = 0;
     const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
-        const UnstableCount count = count_unstable(system);
+        const StabilityResult::Count count = count_unstable(system);
         const StabilityResult result = judge_stability(system);
         CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, result.uncertain_count);
         CHECK(count.n == mesh.size());
@@ -178,7 +180,8 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
 }
 
 TEST_CASE("The fast count reports a G' that is nearly singular", "[stability]") {
-    const UnstableCount count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
+    const StabilityResult::Count count =
+        count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     CHECK_FALSE(StabilityVerdict{}.stable());
@@ -270,16 +273,30 @@ TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stabi
 }
 
 TEST_CASE("The fast count does not take a neutral mode for an unstable one", "[stability]") {
-    const UnstableCount count = count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
+    const StabilityResult::Count count =
+        count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
     CHECK(count.status == Status::ok);
     CHECK(count.unstable_count == 0);
 }
 
 TEST_CASE("The fast count detects two equal equations", "[stability]") {
-    const UnstableCount count = count_unstable(system_of(Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
-                                                         Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
+    const StabilityResult::Count count = count_unstable(system_of(
+        Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}}, Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
     CHECK(count.rcond == 0);
     CHECK(count.status == Status::ill_conditioned);
+}
+
+TEST_CASE("A mode that neither grows nor decays is not proved to decay, however it is turned", "[stability]") {
+    int undecided = 0;
+    for (unsigned scene = 0; scene < 100; ++scene) {
+        const MatrixX<double> Q = Eigen::HouseholderQR<MatrixX<double>>(random_matrix(4, scene)).householderQ();
+        const Eigen::Vector4d modes(-0.5, -0.7, -0.9, 1e-17);
+        const StabilityVerdict verdict = judge_stability(RollingSystem<double>(
+            MatrixX<double>::Identity(4, 4), Q * modes.asDiagonal() * Q.transpose(), ArrayX<double>::Ones(4)));
+        CHECK_FALSE(verdict.stable());
+        undecided += verdict.unstable_count == 0 ? 1 : 0;
+    }
+    CHECK(undecided > 20);
 }
 
 }  // namespace

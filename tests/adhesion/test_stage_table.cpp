@@ -4,20 +4,10 @@
 #include <utility>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/rolling_friction.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 
@@ -57,7 +47,7 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
 TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") {
     const AdhesionModel<> euler(contact, along, judge_stability(along), Integrator::implicit_euler);
     auto workspace = euler.workspace();
-    AdhesionState from = euler.steady(3e-4), half = from, to = from;
+    AdhesionModel<>::State from = euler.steady(3e-4), half = from, to = from;
     const double xi = GENERATE(1e-3, -2e-3);
     for (const double a_3 : {a, 1.05 * a}) {
         const double a_2 = (a + a_3) / 2;
@@ -91,7 +81,7 @@ namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
 template <int directions>
-void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage& start,
+void compare(const ElementSystem<double, directions>& system, const Friction::Law& law, const Creepage& start,
              const Creepage& middle, const Creepage& end, double growth) {
     using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};

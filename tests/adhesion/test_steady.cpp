@@ -5,12 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/system/detail/dissipation.hpp>
 
 #include "support/brute_force.hpp"
@@ -344,7 +339,7 @@ TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[
     CHECK(solve_steady<double>(identity, ArrayX<double>::Ones(2)).status == Status::assists_creepage);
     CHECK(solve_steady(RollingSystem<double>(identity, identity, ArrayX<double>::Ones(2))).status == Status::ok);
 
-    const ChebyshevSystem<double> states = rolling_system(Chebyshev{12}, kernel);
+    const Chebyshev::System<double> states = rolling_system(Chebyshev{12}, kernel);
     const Response<double> solution = solve_steady(states);
     CHECK(solution.status == Status::ok);
     CHECK(std::abs(solution.c11() / steady_c11(0.25) - 1) < 1e-13);

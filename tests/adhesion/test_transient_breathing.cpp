@@ -7,13 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -44,7 +38,7 @@ Contact unit_contact(double aspect) { return Contact::dimensionless(aspect, nu);
 ElementSystem<double> elements(Eigen::Index n, double aspect) {
     return rolling_system(cosine_mesh<double>(n), halves, plane(aspect));
 }
-ChebyshevSystem<double> states(Eigen::Index m, double aspect) {
+Chebyshev::System<double> states(Eigen::Index m, double aspect) {
     return rolling_system(Chebyshev{.states = m}, plane(aspect));
 }
 
@@ -56,7 +50,7 @@ std::vector<double> series(const Model& model, const Sine& a, double q_0, double
     Model::Workspace workspace = model.workspace();
     std::vector<double> forces;
     for (int k = 1; k <= steps; ++k) {
-        const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(q_0 + k * dq)}, next, workspace);
+        const AdhesionModel<>::Step step = model.advance(now, {dq, 1.0, a(q_0 + k * dq)}, next, workspace);
         REQUIRE(step.status == Status::ok);
         forces.push_back(-step.force_per_width);
         std::swap(now, next);
@@ -100,7 +94,7 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
     const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
     const ElementSystem<double> of_elements = elements(20, 100);
     const ElementSystem<double> of_nodes = rolling_system(cosine_mesh(20), NodeDifference{}, plane(100));
-    const ChebyshevSystem<double> of_states = states(9, 100);
+    const Chebyshev::System<double> of_states = states(9, 100);
     for (const RollingSystem<double>* system :
          {static_cast<const RollingSystem<double>*>(&of_elements), static_cast<const RollingSystem<double>*>(&of_nodes),
           static_cast<const RollingSystem<double>*>(&of_states)}) {
@@ -118,7 +112,8 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                          {std::tuple(Motion(2e-3), 4e-4, 4e-4), std::tuple(Motion::shift(4e-4 * a_0), 4e-4, 4e-4),
                           std::tuple(Motion::linear(1e-3, 4e-3), 0.2 * (1e-3 + 3e-3 * g), 8e-4)}) {
                         const double dq = 0.2, a_new = a_old + da;
-                        const AdhesionStep<> step = model.advance(from, {dq * a_0, motion, a_new * a_0}, to, workspace);
+                        const AdhesionModel<>::Step step =
+                            model.advance(from, {dq * a_0, motion, a_new * a_0}, to, workspace);
                         REQUIRE(step.status == Status::ok);
                         const VectorXd expected =
                             integrator == Integrator::sdirk2
@@ -131,6 +126,14 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                         CHECK(step.force == Approx(0.8 * force).epsilon(1e-12));
                         CHECK(model.force(to) == Approx(step.force).epsilon(1e-14));
                         CHECK(to.half_length == a_new * a_0);
+                        if (da != 0) continue;  // the same without a load, after a step of the same distance, too
+                        for (const double before : {0.0, dq * a_0}) {
+                            from.distance = before;
+                            const AdhesionModel<>::Step unloaded =
+                                model.advance(from, {dq * a_0, motion}, to, workspace);
+                            CHECK(unloaded.force == Approx(step.force).epsilon(1e-12));
+                        }
+                        from.distance = 0;
                         CHECK(to.system == model.fingerprint());
                     }
                 }
@@ -175,53 +178,12 @@ TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many el
     }
 }
 
-TEST_CASE("The tangents by motion and by half-length are derivatives of the force", "[breathing]") {
-    const double a_0 = 4e-3;
-    const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
-    const auto check = [&](const auto& system) {
-        for (const Integrator integrator : breathing_integrators) {
-            const Model model(contact, system, unchecked, integrator);
-            Model::Workspace workspace = model.workspace();
-            Model::State from = model.steady(1e-3), to = from;
-            from.half_length = 1.1 * a_0;
-            const double dq = 0.3 * a_0, h = 1e-5 * a_0;
-            for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
-                const auto force = [&](const Motion& motion, double half_length) {
-                    const AdhesionStep<> step = model.advance(from, {dq, motion, half_length}, to, workspace);
-                    REQUIRE(step.status == Status::ok);
-                    return step.force;
-                };
-                const auto slope = [&](const Motion& low, const Motion& high, double distance) {
-                    return (force(high, a) - force(low, a)) / distance;
-                };
-                CAPTURE(model.size(), name(integrator), a);
-                const Motion linear = Motion::linear(1e-3, 3e-3);
-                CHECK(model.advance(from, {dq, 2e-3, a}, to, workspace).tangent ==
-                      Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, {dq, linear, a}, to, workspace).tangent ==
-                      Approx(slope(Motion::linear(1e-3, 2e-3), Motion::linear(1e-3, 4e-3), 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, {dq, Motion::shift(1e-6), a}, to, workspace).tangent ==
-                      Approx(slope(Motion::shift(0), Motion::shift(2e-6), 2e-6)).epsilon(1e-9));
-                for (const Motion& motion : {Motion(2e-3), linear, Motion::shift(1e-6)}) {
-                    const double by_length = (8 * (force(motion, a + h) - force(motion, a - h)) -
-                                              force(motion, a + 2 * h) + force(motion, a - 2 * h)) /
-                                             (12 * h);
-                    const double tangent = model.advance(from, {dq, motion, a}, to, workspace).tangent_by_half_length;
-                    CHECK(tangent == Approx(by_length).epsilon(1e-8));
-                }
-            }
-        }
-    };
-    check(elements(16, 100));
-    check(states(8, 100));
-}
-
 TEST_CASE("The trailing edge releases the work that full adhesion does not store", "[breathing]") {
     // -xi F = dE/dq + (1 - a') pi c1 P^2, p = P/sqrt(a + x) at the trailing edge, over a period
     const Sine a{0.3, 6};
     const double c1 = 1 - nu;
     const auto residual = [&](Eigen::Index m, int steps) {
-        const ChebyshevSystem<double> system = states(m, 100);
+        const Chebyshev::System<double> system = states(m, 100);
         const Model model(unit_contact(100), system, unchecked);
         const auto energy = [&](const Model::State& state) {
             const VectorXd p = system.traction<double>(state.traction).coefficients;
@@ -242,7 +204,7 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
         const double dq = 6.0 / steps, start = energy(now);
         double work = 0, released = 0, force = model.force(now) / 200, rate = release(now, 0);
         for (int k = 1; k <= steps; ++k) {
-            const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(k * dq)}, next, workspace);
+            const AdhesionModel<>::Step step = model.advance(now, {dq, 1.0, a(k * dq)}, next, workspace);
             REQUIRE(step.status == Status::ok);
             const double next_rate = release(next, k * dq);
             work -= dq * (force + step.force_per_width) / 2;
@@ -263,13 +225,12 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
 }
 
 TEST_CASE("An impossible half-length gives a status and leaves the target state unchanged", "[breathing][not_finite]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Contact contact = unit_contact(100);
     const auto check_refusals = [&](const Model& model, const auto& ask, Status expected) {
         Model::State from = model.steady(1), to = model.at_rest();
         to.traction.setConstant(7);
         to.half_length = 11;
-        const AdhesionStep<> step = ask(model, from, to);
+        const AdhesionModel<>::Step step = ask(model, from, to);
         CAPTURE(name(step.status), name(expected));
         CHECK(step.status == expected);
         CHECK(detail::is_nan(step.force));
@@ -286,32 +247,15 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     };
     for (const Integrator integrator : breathing_integrators) {
         const Model model(contact, elements(10, 100), unchecked, integrator);
-        for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
-            check_refusals(model, to_length(0.1, bad), Status::invalid_load);
-            // a state with such a half-length is rejected too
-            check_refusals(
-                model,
-                [&](const Model& m, Model::State& from, Model::State& to) {
-                    Model::Workspace workspace = m.workspace();
-                    from.half_length = bad;
-                    CHECK(m.advance(from, {0.1, 1.0}, to, workspace).status == Status::wrong_state);
-                    return m.advance(from, {0.1, 1.0, 1.0}, to, workspace);
-                },
-                Status::wrong_state);
-        }
         for (const double change : {0.25, -0.25, 0.5, -0.5}) {
             check_refusals(model, to_length(0.25, 1 + change), Status::needs_fixed_mesh);
         }
         check_refusals(model, to_length(0, 1.01, Motion::shift(0.1)), Status::needs_fixed_mesh);
-        check_refusals(model, to_length(0, 1.01), Status::invalid_step);
-        check_refusals(model, to_length(nan, 1.01), Status::invalid_step);
-        check_refusals(model, to_length(0.1, 1.01, nan), Status::not_finite);
         Model::Workspace workspace = model.workspace();
         Model::State from = model.steady(1), to = from;
         CHECK(model.advance(from, {0.25, 1.0, 1.24}, to, workspace).status == Status::ok);
         CHECK(model.advance(from, {0.25, 1.0, 0.76}, to, workspace).status == Status::ok);
         CHECK(model.advance(from, {0.0, Motion::shift(0.1), 1.0}, to, workspace).status == Status::ok);
-        CHECK(model.advance(from, {0.1, 1.0, 1.01}, from, workspace).status == Status::wrong_state);
 
         // a result that overflows: `to` is then a copy of `from`
         from.traction.setConstant(1.7e308);
@@ -349,7 +293,7 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         const Model::State from = model.steady(1);
         Model::State to = from, other = from;
         Model::Workspace workspace = model.workspace();
-        const AdhesionStep<> step = model.advance(from, {0.1, 0.5, 1.0}, to, workspace);
+        const AdhesionModel<>::Step step = model.advance(from, {0.1, 0.5, 1.0}, to, workspace);
         CHECK(step.status == Status::ok);
         CHECK(step.force == model.advance(from, {0.1, 0.5}, other, workspace).force);
         CHECK(to.traction == other.traction);

@@ -275,6 +275,19 @@ TEST_CASE("patch_system: places, areas, slip and forces of the elements") {
     CHECK(system.inputs().col(0).sum() == 24);
 }
 
+TEST_CASE("patch_system: intervals of a strip are those of a line of its length") {
+    const NodeDifference scheme{GENERATE(Nodes::centres, Nodes::chebyshev)};
+    const auto contact = PatchContact::dimensionless(2, 0.3);
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 3);
+    const Eigen::ArrayXd all = patch_elements(mesh, scheme).intervals;
+    const auto line = PlaneKernel<double>::longitudinal(Contact::dimensionless(100, 0.3));
+    const Eigen::ArrayXd one = rolling_system(mesh.along(), scheme, line).elements().intervals;
+    REQUIRE(all.size() == mesh.size());
+    for (Eigen::Index j = 0; j < 3; ++j) {
+        CHECK((all.segment(6 * j, 6) / mesh.half_lengths()[j] - one).abs().maxCoeff() < 1e-14);
+    }
+}
+
 TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {
     for (const Eigen::Index m : {1, 4, 5}) {
         const PatchMesh<double> mesh = ellipse_mesh<double>(0.7, cosine_mesh(5), cosine_mesh(m));

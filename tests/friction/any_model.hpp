@@ -13,13 +13,7 @@
 #include <Eigen/Core>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
@@ -171,7 +165,7 @@ inline Motion shift(double ratio, double degrees = 0) {  // by `ratio` times wha
 
 inline Eigen::Vector2d vector(const TangentialForce& force) { return {force.longitudinal, force.lateral}; }
 inline Eigen::Vector2d vector(const Creepage& value) { return {value.longitudinal, value.lateral}; }
-inline Eigen::Matrix2d matrix(const CreepageTangent& tangent) {
+inline Eigen::Matrix2d matrix(const TangentialForce::ByCreepage& tangent) {
     Eigen::Matrix2d columns;
     columns << vector(tangent.by_longitudinal), vector(tangent.by_lateral);
     return columns;

@@ -71,7 +71,9 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
         const Eigen::Index n = points.size();
         const ArrayX<double> widths = unknown_widths(mesh, scheme);
         const Values values = Values::in_one_strip(widths, points);
-        const detail::SlipWork slip_work(widths, values);
+        Elements<double> elements = Elements<double>::unplaced(widths);
+        elements.x = points;
+        const detail::SlipWork slip_work(elements, false);
         const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(mesh.size(), i);
@@ -126,7 +128,7 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel model = scene.transient(integrator);
         FrictionState now = model.at_rest(), next = now;
-        FrictionWorkspace workspace = model.workspace();
+        FrictionModel::Workspace workspace = model.workspace();
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);

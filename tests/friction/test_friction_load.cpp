@@ -8,13 +8,7 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"
@@ -42,18 +36,18 @@ struct LoadScene {
     Contact contact;  // with the half-length that the mesh is made for
     Mesh<double> mesh;
     PlaneKernel<double> kernel;
-    HertzLoad hertz;
+    HertzLine::Load hertz;
     Collocation scheme = half;
     double mu = 1;
 
     static LoadScene breathing(Mesh<double> mesh, double half_width = 1000, double half_length = 1) {
         const Contact contact = contact_of(half_length, half_width);
-        const HertzLoad hertz = HertzLoad::breathing(unit_line(), mesh);
+        const HertzLine::Load hertz = HertzLine::Load::breathing(unit_line(), mesh);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
     static LoadScene fixed(Mesh<double> mesh, double half_length = 1.25, double half_width = 1000) {
         const Contact contact = contact_of(half_length, half_width);
-        const HertzLoad hertz = HertzLoad::fixed(unit_line(), mesh, half_length);
+        const HertzLine::Load hertz = HertzLine::Load::fixed(unit_line(), mesh, half_length);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
     static Contact contact_of(double half_length, double half_width) {
@@ -78,7 +72,7 @@ struct SineLoad {
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
     const FrictionModel model = scene.model(integrator);
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     FrictionState now = model.at_rest(), next = now;
     NormalLoad load = scene.hertz.at(sine(0));
     FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);

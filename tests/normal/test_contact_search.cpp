@@ -11,12 +11,12 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/normal/detail/patch_shape.hpp>
-#include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/detail/sufficient_cells.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/normal/detail/patch_shape.hpp>
+#include <rollbem/normal/detail/region_solver.hpp>
+#include <rollbem/normal/detail/sufficient_cells.hpp>
 
 #include "extremes/deformed_gap.hpp"
 #include "support/catch.hpp"
@@ -77,6 +77,26 @@ const ElasticBody& steel() {
 }
 
 }  // namespace
+
+TEST_CASE("contact_search: contacts part where the depth falls below three quarters of both maxima", "[profiles]") {
+    const auto parts = [](double second, double angle) {
+        std::vector<detail::PenetrationSample> samples;
+        for (const double depth : {0.0, 1.0, 0.5, second, 0.0}) {
+            const bool before = samples.size() < 2;
+            samples.push_back(
+                {.wheel_s = 0,
+                 .x = 0,
+                 .y = 0,
+                 .z = 0,
+                 .closest = {.s = 0, .y = 0, .z = 0, .depth = depth, .slope = {1, before ? 0 : -angle}, .inside = true},
+                 .width = 1});
+        }
+        return detail::find_split(samples.begin(), samples.end()) != samples.end();
+    };
+    CHECK(parts(0.7, 0.5));
+    CHECK_FALSE(parts(0.6, 0.5));  // 0.5 is more than three quarters of the lesser maximum
+    CHECK_FALSE(parts(0.7, 0.3));  // normals less than 20 degrees apart
+}
 
 TEST_CASE("contact_search: two crowns carry half of the load each, and displace each other", "[profiles]") {
     const Profile crowns = piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6; });
@@ -228,7 +248,7 @@ TEST_CASE("contact_search: a steep side of a wheel that yaws touches far from th
 }
 
 TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, with their slopes", "[profiles]") {
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     for (int k = -8; k <= 8; ++k) {
         const double u = 0.1 * k;
         list.push_back(
@@ -237,11 +257,11 @@ TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, w
     const WheelsetPosition at{.lateral = 3e-3, .roll = 0.02, .yaw = 0.2, .pitch = 0.15};
     for (const WheelSurface& surface :
          {WheelSurface(list[0].profile), WheelSurface(Sections(list, Sections::Interpolation::through))}) {
-        const PlacedWheel placed(surface, 0.75, 0.46, at);
+        const WheelSurface::Placed placed(surface, 0.75, 0.46, at);
         for (const double ahead : {-0.08, 0.01, 0.12}) {
             const double x = placed.middle_x() + ahead, s = 0.05, h = 1e-6;
-            const CurvePoint p = placed.section(s, x), before = placed.section(s - h, x),
-                             after = placed.section(s + h, x);
+            const RailSurface::Point p = placed.section(s, x), before = placed.section(s - h, x),
+                                     after = placed.section(s + h, x);
             CAPTURE(surface.is_round(), ahead);
             CHECK(p.slope[0] == Approx((after.y - before.y) / (2 * h)).margin(1e-8));
             CHECK(p.slope[1] == Approx((after.z - before.z) / (2 * h)).margin(1e-8));
@@ -261,7 +281,7 @@ TEST_CASE("contact_search: curves of a roller lie on its turned surface, with th
     const RailSurface rail = RailSurface::roller(arc, 0.4);
     for (const double x : {-0.15, 0.02, 0.1}) {
         const double s = 0.01, h = 1e-6;
-        const CurvePoint p = rail.at(s, x), before = rail.at(s - h, x), after = rail.at(s + h, x);
+        const RailSurface::Point p = rail.at(s, x), before = rail.at(s - h, x), after = rail.at(s + h, x);
         CAPTURE(x);
         CHECK(p.y == arc.at(s).y);
         CHECK(std::hypot(x, 0.4 - p.z) == Approx(0.4 - arc.at(s).z).epsilon(1e-14));
@@ -322,7 +342,7 @@ TEST_CASE("contact_search: a contact goes on from one part of a rail to the next
     REQUIRE(same.status == Status::ok);
     const auto solved = [&](double middle, double beside, double along) {
         const double missing = beside > 0 ? beside : -1;
-        std::vector<Section> list;
+        std::vector<Sections::Section> list;
         for (const double u : {-0.3, -0.2, 0.1, 0.2, 0.3}) {
             list.push_back({u, arc, {0, u == 0.2 ? missing : 0.01, middle, 0.07, 1}});
         }
@@ -347,7 +367,7 @@ TEST_CASE("contact_search: a contact goes on from one part of a rail to the next
 
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
     constexpr double half = 0.05, r = 0.46;  // of the flat's angle
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (int k = -40; k <= 40; ++k) {
         const double angle = 2 * half * k / 40,
                      z = std::abs(angle) < half ? r * (std::cos(half) / std::cos(angle) - 1) : 0;
@@ -378,7 +398,7 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
 }
 
 TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope equals the ramp's", "[profiles]") {
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (const double u : {-0.3, -0.1, 0.0, 0.2, 0.3}) {
         sections.push_back({u, piece(-0.03, 0.03, 201, [u](double y) { return crown(y, 0.3) - 0.1 * u; })});
     }
@@ -518,7 +538,8 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     const WheelsetPosition at{.height = 1e-4};
     // all of it in one plane
     const double angle = std::atan(-0.466 / 2), dx = 4e-4, ds = 2e-4;
-    const CellGrid grid{.nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
+    const NormalContact::Cells grid{
+        .nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
     const auto n_at = [&](const auto& z, double s) {
         double low = -0.03, high = 0.03;
         for (int k = 0; k < 50; ++k) {
@@ -666,7 +687,7 @@ TEST_CASE("contact_search: waves between the centres of cells count by the press
 }
 
 TEST_CASE("contact_search: a patch without an outline asks for cells in the direction with fewer", "[profiles]") {
-    const CellGrid grid{.nx = 20, .ny = 20, .x_0 = 0, .y_0 = 0, .dx = 1, .dy = 1};
+    const NormalContact::Cells grid{.nx = 20, .ny = 20, .x_0 = 0, .y_0 = 0, .dx = 1, .dy = 1};
     const auto wanted = [&](Eigen::Index in_x, Eigen::Index in_s, double negligible) {
         Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(20, 20);
         p.block(3, 4, in_x, in_s).setOnes();
@@ -758,7 +779,7 @@ TEST_CASE("contact_search: what is not finite or too deep has its status", "[pro
 }
 
 TEST_CASE("contact_search: along a rail whose crown becomes sharp, a plane becomes doubtful", "[profiles]") {
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (const double u : {-0.6, -0.5, -0.4, -0.3, 0.3, 0.4, 0.5, 0.6}) {
         const double R = u < 0 ? 0.1 : 0.004;
         sections.push_back({u, piece(-0.0038, 0.0038, 201, [R](double y) { return crown(y, R); })});

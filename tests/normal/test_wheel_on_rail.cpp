@@ -22,9 +22,9 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -507,6 +507,19 @@ RollingPower power_of(const WheelsetForces& rolling, WheelsetSpeeds speeds) {
     return power;
 }
 
+TEST_CASE("wheelset_forces: a free pitch balances creepages, not slips", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const WheelsetRolling rolling{.position = {.lateral = 2e-3, .yaw = 5e-3},
+                                  .speeds = {.forward = 20, .yaw_rate = 0.4}};
+    const auto free = rolling_forces(wheelset, rolling, {.elements = 4, .strips = 5}, workspace);
+    REQUIRE(has_numbers(free.contacts.status));
+    const double left = free.patches[0].at(0).creepage.longitudinal,
+                 right = free.patches[1].at(0).creepage.longitudinal;
+    CHECK(std::abs(left) > 1e-3);
+    CHECK(std::abs(left + right) < 1e-12);
+}
+
 TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
@@ -519,7 +532,8 @@ TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profi
             if (forces.contacts.status != Status::ok) continue;
             const RollingPower power = power_of(forces, rolling.speeds);
             CHECK(power.lost == Approx(power.creep).epsilon(1e-3));
-            for (const Wrench& wheel : forces.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
+            for (const WheelsetForces::Wrench& wheel : forces.on_wheel)
+                CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
             ++seen;
         }
     }
@@ -543,7 +557,7 @@ TEST_CASE("wheelset_forces: in a curve normal forces work on the turn of the rai
         // pressures ahead of the axle, at x, move across the rails with the rate of turn times x
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             for (const RailPatch& patch : forces.contacts.wheels[std::size_t(side)].patches) {
-                const Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
+                const WheelsetForces::Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
                 const double sign = side == WheelsetOnTrack::Side::left ? -1 : 1;
                 power.lost += sign * turn * patch.x * pressures.force[1];
             }

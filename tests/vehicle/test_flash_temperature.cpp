@@ -74,10 +74,25 @@ TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "
     CHECK(std::isnan(sliding({.coefficient = mu}).peak_temperature));
 }
 
+TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profiles]") {
+    RailPatch band = ellipse();
+    const Eigen::ArrayXd ends = Eigen::ArrayXd::Constant(2, a);
+    band.outline.emplace(Eigen::ArrayXd{{-b, b}}, -ends, ends);
+    band.pressure.setConstant(band.peak_pressure);
+    band.load = 4 * a * b * band.peak_pressure;
+    const Heating heating;
+    const PatchForce found = patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, TrackDimensions{},
+                                         {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+    REQUIRE(found.status == Status::ok);
+    const double heat = mu * slide * band.peak_pressure;
+    CHECK_THAT(found.peak_temperature,
+               WithinRel(heat * std::sqrt(heating.diffusivity() * 2 * a / (std::numbers::pi * 30)) / 50, 0.04));
+}
+
 TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
     RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
     const PatchForce cold = sliding(friction);
-    const auto with = [&](HotFriction hot) {
+    const auto with = [&](Heating::Friction hot) {
         friction.heating->friction = hot;
         return sliding(friction);
     };
@@ -107,12 +122,19 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     CHECK(of().status == Status::not_converged);
     CHECK(std::isnan(of().force.longitudinal));
     CHECK(of().strip_work.size() == 0);
+    // nor has a wheel that slides on one place of its own
+    friction.heating->friction.reset();
+    for (const double creepage : {0.15, 0.3}) {
+        const WheelsetSpeeds slips{.forward = 30 * (1 - creepage / 2), .pitch_rate = -30 * (1 + creepage / 2) / radius};
+        const PatchForce found = patch_force(ellipse(), {}, slips, TrackDimensions{}, friction);
+        CHECK(std::isnan(found.peak_temperature) == (creepage > 0.2));
+    }
 }
 
 TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {
     const auto why = [](const RollingFriction& friction) { return refusal([&] { sliding(friction); }); };
     const auto heated = [&](const Heating& heating) { return why({.heating = heating}); };
-    const auto hot = [&](const HotFriction& of) { return heated({.friction = of}); };
+    const auto hot = [&](const Heating::Friction& of) { return heated({.friction = of}); };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(why({.coefficient = -1}), ContainsSubstring("coefficient = -1 must be finite and not negative"));
     CHECK_THAT(why({.layer = nan}), ContainsSubstring("layer = nan"));
@@ -133,12 +155,12 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
             // from the place in the plane down to the profile along its normal
             double along = patch.rail_s + s;
             for (int k = 0; k < 20; ++k) {
-                const CurvePoint rail = wheel.geometry().rail_at(along, 0);
+                const RailSurface::Point rail = wheel.geometry().rail_at(along, 0);
                 const double apart =
                     (rail.y - patch.y) * std::cos(patch.angle) + (rail.z - patch.z) * std::sin(patch.angle);
                 along += (s - apart) / (rail.slope[0] * std::cos(patch.angle) + rail.slope[1] * std::sin(patch.angle));
             }
-            const CurvePoint rail = wheel.geometry().rail_at(along, 0);
+            const RailSurface::Point rail = wheel.geometry().rail_at(along, 0);
             CHECK_THAT(patch.surface_y(s) - patch.rail_y, WithinAbs(rail.y - patch.y, 2e-5));
             CHECK_THAT(patch.surface_angle(s), WithinAbs(std::atan2(rail.slope[1], rail.slope[0]), 0.02));
         }

@@ -9,8 +9,8 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/wheelset.hpp>
-#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 
 #include "support/catch.hpp"
 
@@ -76,10 +76,11 @@ TEST_CASE("Creepages of a mirror image are mirror images of creepages, and force
     CHECK(image.force.lateral == Approx(force.force.lateral).epsilon(1e-9));
     CHECK(image.force.moment == Approx(force.force.moment).epsilon(1e-9));
     CHECK((image.edges - force.edges).abs().maxCoeff() < 1e-12);
+    CHECK((image.strip_work - force.strip_work).abs().maxCoeff() < 1e-9 * force.slip_work);
 
-    const Wrench wrench = wrench_of(scene.patch, force, 0.1, 0.2);
+    const WheelsetForces::Wrench wrench = wrench_of(scene.patch, force, 0.1, 0.2);
     const double y = mirror.of_vector()[1] * 0.1;
-    const Wrench turned = mirrored(wrench_of(patch, mirrored(force, mirror), y, 0.2), mirror);
+    const WheelsetForces::Wrench turned = mirrored(wrench_of(patch, mirrored(force, mirror), y, 0.2), mirror);
     for (std::size_t i = 0; i < 3; ++i) {
         CHECK(turned.force[i] == Approx(wrench.force[i]));
         CHECK(turned.moment[i] == Approx(wrench.moment[i]));
@@ -89,7 +90,7 @@ TEST_CASE("Creepages of a mirror image are mirror images of creepages, and force
 TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]") {
     const Scene scene;
     const RailPatch& patch = scene.patch;
-    Wrench sum;
+    WheelsetForces::Wrench sum;
     for (Eigen::Index j = 0; j < patch.grid.ny; ++j) {
         for (Eigen::Index i = 0; i < patch.grid.nx; ++i) {
             if (!(patch.pressure(i, j) > 0)) continue;
@@ -98,7 +99,7 @@ TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]")
                          area = patch.grid.dx * patch.grid.dy / std::cos(angle - patch.angle);
             const auto place = patch.place(patch.grid.x(i), patch.grid.y(j), patch.rail_n[j]);
             double s = patch.rail_s + patch.grid.y(j);
-            CurvePoint rail{};
+            RailSurface::Point rail{};
             for (int k = 0; k < 10; ++k) {
                 rail = wheel().geometry().rail_at(s, 0);
                 s += ((place[1] - rail.y) * rail.slope[0] + (place[2] - rail.z) * rail.slope[1]) /
@@ -106,10 +107,10 @@ TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]")
             }
             REQUIRE(std::atan2(rail.slope[1], rail.slope[0]) == Approx(angle).margin(1e-6));
             const double force = patch.pressure(i, j) * area;
-            sum += Wrench::at(place, {0, force * std::sin(angle), -force * std::cos(angle)});
+            sum += WheelsetForces::Wrench::at(place, {0, force * std::sin(angle), -force * std::cos(angle)});
         }
     }
-    const Wrench own = pressure_wrench_of(patch, 0, 0);
+    const WheelsetForces::Wrench own = pressure_wrench_of(patch, 0, 0);
     for (std::size_t i = 0; i < 3; ++i) {
         CHECK(own.force[i] == Approx(sum.force[i]).margin(1e-6));
         CHECK(own.moment[i] == Approx(sum.moment[i]).margin(1e-6));
@@ -137,6 +138,23 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
     }
     CHECK(elements_for(patch).strips == lobes.strips);
     CHECK(elements_for(patch).along == 12);
+}
+
+TEST_CASE("At the gauge corner each strip has the friction of the rail's surface below it", "[profiles]") {
+    const Scene scene;
+    const RollingFriction friction{
+        .elements = 4, .strips = 9, .rail = RailFriction(RailFriction::Over::y, {-0.05, 0.05}, {0, 1})};
+    const PatchForce slides =
+        patch_force(scene.patch, scene.at, {.forward = 2, .pitch_rate = -2}, wheel().dimensions(), friction);
+    REQUIRE(slides.status == Status::ok);
+    double apart = 0;
+    for (const LoadedRectangle& element : slides.surface) {
+        const double y = scene.patch.surface_y((element.y_1 + element.y_2) / 2);
+        const double traction = std::hypot(element.traction_x, element.traction_y);
+        CHECK(traction == Approx(10 * (y + 0.05) * element.pressure).epsilon(1e-6));
+        apart = std::max(apart, std::abs(y - scene.patch.rail_y - (element.y_1 + element.y_2) / 2));
+    }
+    CHECK(apart > 1e-4);
 }
 
 TEST_CASE("Friction of a patch with two lobes is nearer to that on many strips than on 13", "[profiles]") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include <rollbem/normal/profile.hpp>
@@ -185,7 +186,7 @@ WheelForces::Point loaded_point() {
 
 TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     const WheelForces::Point point = loaded_point();
-    const auto refused = [&](double coefficient, const SimplifiedMesh& mesh) {
+    const auto refused = [&](double coefficient, const SimplifiedTheory::Mesh& mesh) {
         return refusal([&] { strip_work_of(point, creep(), coefficient, mesh); });
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -310,7 +311,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
         const Eigen::ArrayXd means = wear.at_points(rail);
         CHECK((means * lengths_at_points(rail)).sum() == Approx(sum).epsilon(1e-9));
         // worn area = the law's sum, however it is spread
-        const Eigen::ArrayXd area = spread(rail, 1e4 * means, Eigen::ArrayXd::Constant(rail.size(), 1e-6));
+        const Eigen::ArrayXd area = spread(rail, 1e4 * means, 1e-3);
         CHECK((area * lengths_at_points(rail)).sum() == Approx(1e4 * sum).epsilon(1e-9));
         CHECK(area.minCoeff() >= 0);
         const Profile after = worn_by_area(rail, area, Profile::Use::rail);
@@ -337,6 +338,19 @@ TEST_CASE("Work of a point without load or without slip", "[wear]") {
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
     CHECK(kalker.c23 == Approx(1.4881).epsilon(2e-2));
+}
+
+TEST_CASE("Of two places of a profile below one another a point lies on the one with its angle", "[wear]") {
+    // more than half a circle, whose ends hang over
+    constexpr double R = 0.03;
+    const Eigen::ArrayXd turn = Eigen::ArrayXd::LinSpaced(1001, -2, 2);
+    const Profile head(R * turn.sin(), R * (1 - turn.cos()), Profile::Use::piece);
+    for (const double at : {1.2, std::numbers::pi - 1.2}) {
+        WheelForces::Point point;
+        point.rail_y = R * std::sin(1.2);
+        point.angle = at;
+        CHECK(arc_length(head, point) == Approx(R * (2 + at)).epsilon(1e-4));
+    }
 }
 
 }  // namespace

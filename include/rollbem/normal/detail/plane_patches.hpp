@@ -20,8 +20,8 @@ namespace detail {
 
 /// The vertical load [N] of pressures in a plane turned by `angle`, which act along the normals of a surface whose rows
 /// have the slopes dn/ds.
-inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
-                            double angle) {
+inline double vertical_load(const Eigen::ArrayXXd& pressure, const NormalContact::Cells& grid,
+                            const Eigen::ArrayXd& slope, double angle) {
     return (pressure.colwise().sum().transpose() * (std::cos(angle) - std::sin(angle) * slope)).sum() * grid.dx *
            grid.dy;
 }
@@ -29,7 +29,7 @@ inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& gri
 /// The pressures of one plane, with the wheel lower than its gaps assume.
 struct PlanePressures {
     const ContactPlane& plane;
-    const CellGrid& grid;
+    const NormalContact::Cells& grid;
     const Gaps& gaps;
     const NormalContact::Solution& solution;
     const NormalContact::Grid& pressure;
@@ -68,10 +68,10 @@ inline void measure(RailPatch& patch) {
 }
 
 /// The turn of the rail's surface across the outline [rad].
-inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
+inline double turn_across(const WheelOnRail::Geometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline& outline) {
     const auto angle = [&](double s) {
-        const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
+        const RailSurface::Point p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
@@ -79,17 +79,17 @@ inline double turn_across(const ContactGeometry& geometry, const ContactPlane& p
 
 /// The largest depth of the undeformed surfaces in a patch: about its deepest cell, on a line of points across it and
 /// then on one along it, with the vertex of the parabola through the deepest point and its neighbours on both.
-inline double largest_depth(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+inline double largest_depth(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
                             const Eigen::ArrayXXd& pressure) {
     constexpr Eigen::Index count = 17;  // of points, over two cells
     const NormalContact::Grid& h = of.gaps.h;
     Eigen::Index i = 0, j = 0, deepest = 0;
     (pressure > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
-    const PlacedWheel placed = geometry.placed(at);
+    const WheelSurface::Placed placed = geometry.placed(at);
     GapFinder finder;
     Gaps gaps;
     double beside = 0;  // depth of vertices beside points
-    const auto least_on = [&](const CellGrid& line) {
+    const auto least_on = [&](const NormalContact::Cells& line) {
         finder.find(geometry, placed, at.height, at.along, of.plane, line, gaps);
         const Eigen::ArrayXd on = gaps.h.reshaped();
         const double least = on.minCoeff(&deepest);
@@ -100,16 +100,16 @@ inline double largest_depth(const ContactGeometry& geometry, const WheelsetPosit
         return least;
     };
     const double dx = 2 * of.grid.dx / (count - 1), ds = 2 * of.grid.dy / (count - 1);
-    CellGrid line{1, count, of.grid.x(i), of.grid.y(j) - of.grid.dy, dx, ds};
+    NormalContact::Cells line{1, count, of.grid.x(i), of.grid.y(j) - of.grid.dy, dx, ds};
     least_on(line);
     line = {count, 1, line.x_0 - of.grid.dx, line.y(deepest), dx, ds};
     return beside - least_on(line);
 }
 
 /// What all patches of a plane have in common.
-inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
+inline RailPatch patch_on(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
     const ContactPlane& plane = of.plane;
-    const PlacedWheel placed = geometry.placed(at);
+    const WheelSurface::Placed placed = geometry.placed(at);
     RailPatch patch;
     patch.x = plane.x;
     patch.y = plane.y;
@@ -133,7 +133,7 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
 
 /// Splits pressures into patches that every row cuts in one interval. Patches too small for an outline that carry less
 /// than `negligible` [N] are dropped.
-inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+inline void add_patches(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
                         double negligible, std::vector<RailPatch>& patches) {
     constexpr double doubtful = 0.2;  // [rad]
     const RailPatch common = patch_on(geometry, at, of);

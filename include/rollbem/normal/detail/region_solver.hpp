@@ -44,7 +44,7 @@ struct RowLoad {
 struct SolvedRegion {
     ContactPlane plane{};
     std::size_t body = 0;  // regions of one body displace each other always
-    CellGrid grid{};
+    NormalContact::Cells grid{};
     Gaps gaps{};  // gaps at the height of the plane
     NormalContact::Solution solution{};
     double vertical = 0;  // vertical load of the pressures [N]
@@ -56,7 +56,7 @@ struct SolvedRegion {
 class RegionSolver {
 public:
     /// Starts a contact at a position, without its height.
-    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
+    Status locate(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
         geometry_ = &geometry;
         settings_ = settings;
         at_ = at;
@@ -302,11 +302,11 @@ private:
     }
     Eigen::Index times_for_waves(std::size_t k, bool along_x, Eigen::Index parts) {
         const SolvedRegion& region = regions_[k];
-        const CellGrid& grid = region.grid;
+        const NormalContact::Cells& grid = region.grid;
         const NormalContact::Grid& p = normal_[k].pressure();
         Eigen::Index i = 0, j = 0;
         p.maxCoeff(&i, &j);
-        CellGrid line = grid;
+        NormalContact::Cells line = grid;
         line.nx = along_x ? parts * (grid.nx - 1) + 1 : 1;
         line.ny = along_x ? 1 : parts * (grid.ny - 1) + 1;
         (along_x ? line.y_0 : line.x_0) = along_x ? grid.y(j) : grid.x(i);
@@ -393,7 +393,7 @@ private:
     void find_rows(std::size_t k) {
         SolvedRegion& region = regions_[k];
         const ContactPlane& plane = region.plane;
-        const CellGrid& grid = region.grid;
+        const NormalContact::Cells& grid = region.grid;
         const NormalContact::Grid& p = normal_[k].pressure();
         const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1));
         region.rows.clear();
@@ -407,7 +407,7 @@ private:
         }
     }
 
-    CellGrid first_grid(const ContactPlane& plane) const {
+    NormalContact::Cells first_grid(const ContactPlane& plane) const {
         constexpr Eigen::Index cells = 24;
         constexpr double least = 2e-6;
         const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
@@ -417,7 +417,7 @@ private:
     }
 
     // Grid over the cells that may touch, with a margin of two cells.
-    CellGrid finer(std::size_t k) {
+    NormalContact::Cells finer(std::size_t k) {
         const SolvedRegion& region = regions_[k];
         const auto [left, right, bottom, top] = extents(region.grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
@@ -501,10 +501,10 @@ private:
         return (p.row(0) > 0).any() || (p.row(right) > 0).any() || (p.col(0) > 0).any() || (p.col(top) > 0).any();
     }
 
-    const ContactGeometry* geometry_ = nullptr;
+    const WheelOnRail::Geometry* geometry_ = nullptr;
     ContactSettings settings_{};
     WheelsetPosition at_;
-    std::optional<PlacedWheel> placed_;
+    std::optional<WheelSurface::Placed> placed_;
     SilhouetteSearch silhouette_;
     SliceSearch slices_;
     GapFinder finder_;

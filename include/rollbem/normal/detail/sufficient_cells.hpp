@@ -23,7 +23,8 @@ struct MoreCells {
 
 /// Twice as many cells where a patch that carries more than `negligible` [N] has too few for an outline, in the
 /// direction with fewer of them.
-inline MoreCells cells_for_outlines(const CellGrid& grid, const Eigen::ArrayXXd& pressure, double negligible) {
+inline MoreCells cells_for_outlines(const NormalContact::Cells& grid, const Eigen::ArrayXXd& pressure,
+                                    double negligible) {
     for (const Eigen::ArrayXXd& patch : split_into_patches(pressure)) {
         const bool counts = patch.sum() * grid.dx * grid.dy > negligible;
         if (!counts || contact_outline(grid, patch)) continue;
@@ -99,12 +100,14 @@ inline Eigen::ArrayXXd part_below(const Eigen::ArrayXXd& patch, const Eigen::Arr
 /// the same approach, over what is allowed: of the load, and of the largest pressures in all patches that carry more
 /// than `counted` [N]. As errors fall with the size of cells, that of the load faster than in proportion, a change below
 /// 1 means that halves of the present cells change the load by less than 0.5 % and the pressures by less than 5 %.
-inline double change_by_larger_cells(NormalContact& larger, const CellGrid& grid, const NormalContact::Grid& h,
-                                     const NormalContact::Solution& solution, const Eigen::ArrayXXd& pressure,
-                                     double compliance, double counted, Eigen::Index every_x, Eigen::Index every_s) {
+inline double change_by_larger_cells(NormalContact& larger, const NormalContact::Cells& grid,
+                                     const NormalContact::Grid& h, const NormalContact::Solution& solution,
+                                     const Eigen::ArrayXXd& pressure, double compliance, double counted,
+                                     Eigen::Index every_x, Eigen::Index every_s) {
     constexpr double by_load = 0.015, by_pressure = 0.06, tolerance = 1e-4;
-    const CellGrid of{(grid.nx + every_x - 1) / every_x, (grid.ny + every_s - 1) / every_s, grid.x_0, grid.y_0,
-                      double(every_x) * grid.dx,         double(every_s) * grid.dy};
+    const NormalContact::Cells of{
+        (grid.nx + every_x - 1) / every_x, (grid.ny + every_s - 1) / every_s, grid.x_0, grid.y_0,
+        double(every_x) * grid.dx,         double(every_s) * grid.dy};
     NormalContact::Grid gaps(of.nx, of.ny);
     for (Eigen::Index j = 0; j < of.ny; ++j) {
         for (Eigen::Index i = 0; i < of.nx; ++i) gaps(i, j) = h(i * every_x, j * every_s);

@@ -59,7 +59,7 @@ inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackD
 
 namespace rollbem {
 
-ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
+ROLLBEM_DECL WheelOnRail::Geometry::Geometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
     : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
     constexpr const char* who = "WheelOnRail";
     const TrackDimensions& d = dimensions_;
@@ -90,8 +90,8 @@ ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface ra
     }
 }
 
-ROLLBEM_DECL auto ContactGeometry::rail_at(double s, double x) const -> CurvePoint {
-    CurvePoint p = rail_.at(s, x);
+ROLLBEM_DECL auto WheelOnRail::Geometry::rail_at(double s, double x) const -> RailSurface::Point {
+    RailSurface::Point p = rail_.at(s, x);
     p.y += origin_.y;
     p.z += origin_.z;
     return p;
@@ -261,11 +261,11 @@ ROLLBEM_DECL auto WheelOnRail::solve_at_height(const WheelsetPosition& position,
     return contact;
 }
 
-ROLLBEM_DECL RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
-    const ContactGeometry& geometry = wheel.geometry();
+ROLLBEM_DECL WheelOnRail::RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
+    const WheelOnRail::Geometry& geometry = wheel.geometry();
     detail::require(geometry.is_plain(), "rigid_contact", "sections of wheel and rail", "several",
                     "be one: a round wheel on a straight rail");
-    RigidContact contact;
+    WheelOnRail::RigidContact contact;
     const WheelsetPosition used{.lateral = position.lateral, .roll = position.roll, .yaw = position.yaw};
     if (!detail::is_finite(used)) return contact;
     detail::SilhouetteSearch search;

@@ -24,12 +24,12 @@ namespace rollbem::detail {
 class WheelLookUp {
 public:
     /// The look-up writes into `result`, whose numbers must have the values of an empty WheelForces.
-    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction,
+    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const ContactTable::Friction& friction,
                 WheelForces& result)
         : table_(table), creep_(creep), friction_(friction), result_(result) {}
 
     void operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                    const WheelLoad& load, bool tangents) {
+                    const ContactTable::Load& load, bool tangents) {
         tangents_ = tangents;
         result_.status = set_inputs(side, position, speeds, load);
         if (result_.status != Status::ok) return;
@@ -91,7 +91,7 @@ private:
     // --- inputs
 
     Status set_inputs(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                      const WheelLoad& load) {
+                      const ContactTable::Load& load) {
         mirror_ = side == WheelsetSide::left ? -1 : 1;
         side_ = &table_.sides_[table_.index_of(side)];
         has_roll_ = load.roll.has_value();
@@ -306,7 +306,7 @@ private:
         bool does_not_roll = false;
         Number roll;                // of the wheelset
         SineCosine<double> rolled;  // sine and cosine of the roll
-        std::array<ZoneContact<Number>, ContactZones::most> contacts;
+        std::array<ZoneContact<Number>, ContactTable::Zones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
@@ -384,7 +384,7 @@ private:
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
         const Creepage creepage{own[0].value(), own[1].value(), own[2].value()};
         const PatchContact contact(ellipse(found.half_length.value(), found.half_width.value()));
-        TabulatedForce now;
+        CreepForceTable::Force now;
         Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
         const auto column = [](const TangentialForce& of) {
             return Eigen::Vector3d(of.longitudinal, of.lateral, of.moment);
@@ -538,7 +538,7 @@ private:
         pass.roll = roll<Number>(weights, root);
         pass.rolled = sine_cosine(value_of(pass.roll));
         const auto count = std::size_t(side_->given.zones.count());
-        std::array<Number, ContactZones::most> shares;
+        std::array<Number, ContactTable::Zones::most> shares;
         Number total = constant<Number>(0);
         const bool one_carries = carry_count() == 1;
         for (std::size_t k = 0; k < count; ++k) {
@@ -671,7 +671,7 @@ private:
     const ContactTable& table_;
     const ContactTable::Interpolation nodes_{table_};
     const CreepForceTable& creep_;
-    const WheelFriction& friction_;
+    const ContactTable::Friction& friction_;
     const ContactTable::Stored* side_ = nullptr;
     WheelForces& result_;
     std::array<double, WheelForces::inputs> inputs_{};
@@ -685,7 +685,7 @@ private:
     ContactTable::Interpolation::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
-    std::array<Zone, ContactZones::most> zones_;
+    std::array<Zone, ContactTable::Zones::most> zones_;
 };
 
 }  // namespace rollbem::detail

@@ -61,7 +61,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
 }
 
 /// Rows of all zones; zones that carry nothing have a share of 0.
-inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactZones& zones,
+inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactTable::Zones& zones,
                                                  const TrackDimensions& dimensions, const CreepForceTable& creep) {
     using enum ContactRow::Of;
     std::vector<ContactRow::Values> found;
