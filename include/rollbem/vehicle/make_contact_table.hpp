@@ -29,8 +29,11 @@ struct ContactTableOptions {
     WheelOnRail::Options contacts{};
     /// Zones of the left and of the right wheel; empty: found.
     std::array<std::optional<ContactZones>, 2> zones{};
+    /// Whether ellipses are fitted to friction on the patches between rest and full sliding, which takes most of the
+    /// time; otherwise errors are about half as large again.
+    bool fits_friction = true;
     std::size_t jobs = 1;
-    std::function<void()> done = [] {};  ///< called after each line of positions; must not throw
+    std::function<void()> done = [] {};  ///< called after each line of contacts, and of a side's rows; must not throw
     /// Number of lines of shifts, one for each load and yaw: all yaws of a load follow one another.
     std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
 };
@@ -95,7 +98,16 @@ private:
     const std::optional<ContactZones>& given_zones(std::size_t side) const {
         return options_.zones[side + 1 == side_count() ? 1 : 0];
     }
-    ContactZones zones_of(std::size_t side) const;
+    /// Nodes by which the zones of a side are judged.
+    std::vector<std::size_t> judged_places(std::size_t side) const;
+    ContactZones zones_of(std::size_t side);
+    void solve_friction(std::size_t side, std::size_t place);
+    /// Computes the rows of all nodes of a line.
+    void fill_line(std::size_t side, std::size_t line);
+    /// Nodes of a line at which ellipses are fitted: closer to one another where planes are steep.
+    std::vector<std::size_t> fitted_places(std::size_t side, std::size_t line) const;
+    /// Interpolates bends between two neighbouring nodes at which ellipses are fitted.
+    void interpolate_bends(std::size_t side, std::size_t low, std::size_t high);
 
     const WheelsetOnTrack& track_;
     const CreepForceTable& creep_;
