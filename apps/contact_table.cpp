@@ -47,7 +47,7 @@ constexpr double friction = 0.3;
 
 /// Seconds of processor time of a few nodes of the grid, on treads and flanges, by the first load and yaw: all of a
 /// kind, with friction where `fits`.
-double sample_seconds(const Scene& scene, rollbem::ContactTableOptions few, bool fits) {
+double sample_seconds(const Scene& scene, rollbem::ContactTableMaker::Options few, bool fits) {
     few.fits_friction = fits;
     const auto start = std::clock();
     try {
@@ -64,18 +64,18 @@ std::size_t judged_scenes(const ContactTable::Grid& grid) {
 
 /// Seconds of processor time that making takes: contacts of all positions, friction where ellipses are fitted and zones
 /// are judged, and the scenes in which the table is judged.
-double making_seconds(const Scene& scene, const rollbem::ContactTableOptions& making) {
+double making_seconds(const Scene& scene, const rollbem::ContactTableMaker::Options& making) {
     constexpr std::size_t samples = 4, motions = 35, rounds = 4;
     const std::vector<double>& shifts = making.grid.shifts;
     const double largest = shifts.back(), sides = scene.wheelset.is_mirrored() ? 1 : 2, lines = double(making.lines());
-    rollbem::ContactTableOptions few = making;
+    rollbem::ContactTableMaker::Options few = making;
     few.grid.shifts.clear();
     for (std::size_t k = 0; k <= 2 * samples; ++k) {
         few.grid.shifts.push_back((double(k) / samples - 1) * std::min(largest, 6.4e-3));
     }
     few.grid.yaws.resize(2);
     few.grid.loads.resize(1);
-    few.zones = {rollbem::ContactZones(), rollbem::ContactZones()};
+    few.zones = {rollbem::ContactTable::Zones(), rollbem::ContactTable::Zones()};
     few.done = [] {};
     const double contacts = sample_seconds(scene, few, false), all = sample_seconds(scene, few, true);
     const double positions = double(scene.wheelset.is_mirrored() ? shifts.size() / 2 + 1 : shifts.size()) * lines,
@@ -89,7 +89,7 @@ double making_seconds(const Scene& scene, const rollbem::ContactTableOptions& ma
            double(judged_scenes(making.grid) * rounds) * (per_position + 2 * per_node / motions);
 }
 
-void say_duration(const Scene& scene, const rollbem::ContactTableOptions& making, const char* of) {
+void say_duration(const Scene& scene, const rollbem::ContactTableMaker::Options& making, const char* of) {
     if (!scene.threads.shows) return;
     std::fprintf(stderr, "%s: %zu lines of %zu shifts, about %.0f s of processor time%s\n", program, making.lines(),
                  making.grid.shifts.size(), std::max(making_seconds(scene, making), 1.0), of);
@@ -157,7 +157,7 @@ ContactTable make(const Making& job) {
     const std::size_t sides = job.scene.wheelset.is_mirrored() ? 1 : 2;
     study::Progress progress(program, job.making.lines() * (1 + sides), job.scene.threads.shows && computes, "lines");
     std::size_t done = 0;
-    rollbem::ContactTableOptions making = job.making;
+    rollbem::ContactTableMaker::Options making = job.making;
     making.done = [&] { progress.update(++done); };
     return study::blame(job.said,
                         [&] {

@@ -32,7 +32,7 @@
 
 namespace {
 
-using rollbem::CreepForceGrid, rollbem::CreepForceTable, rollbem::CreepForceSource, rollbem::Creepage;
+using rollbem::CreepForceGrid, rollbem::CreepForceTable, rollbem::Creepage;
 
 /// What is asked for: the grid, from how many elements forces on it come, and in how many scenes they are checked.
 struct Job {
@@ -42,7 +42,7 @@ struct Job {
     study::OutputFile* binary;  ///< the file of the table; none where rows alone are wanted
     std::size_t scenes;
 
-    CreepForceSource source(Eigen::Index shape) const { return {grid.a_over_b(shape), grid.poisson_ratio(), n}; }
+    CreepForceTable::Source source(Eigen::Index shape) const { return {grid.a_over_b(shape), grid.poisson_ratio(), n}; }
     Eigen::Index nodes() const { return grid.nodes() * grid.shapes(); }
 };
 
@@ -88,7 +88,7 @@ const std::vector<std::string> columns = study::cells_of(
     "rounds,complementarity_residual,time_us,status,nodes");
 
 /// The first columns, which say what node it is.
-study::Row node_cells(const CreepForceSource& source, const Creepage& v) {
+study::Row node_cells(const CreepForceTable::Source& source, const Creepage& v) {
     return {source.contact().a_over_b(),
             source.contact().poisson_ratio(),
             source.mesh().elements_per_strip(),
@@ -102,7 +102,7 @@ study::Row node_cells(const CreepForceSource& source, const Creepage& v) {
 void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange range, const study::Emit& emit,
                Eigen::Array3Xd& forces) {
     const CreepForceGrid& grid = job.grid;
-    CreepForceSource source = job.source(slab.shape);
+    CreepForceTable::Source source = job.source(slab.shape);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
                        last = slab.first + static_cast<Eigen::Index>(range.last);
     // along a line of growing spin each solution starts from the one before, also where rows begin in the middle
@@ -110,7 +110,7 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
     while (!grid.begins_line(node)) --node;
     for (; node < last; ++node) {
         const Creepage v = grid.creepage(slab.shape, node);
-        const CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
+        const CreepForceTable::Source::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
         auto force = forces.col(slab.shape * grid.nodes() + node);
@@ -141,7 +141,7 @@ study::Table table_of(const Job& job, Eigen::Array3Xd& forces) {
 Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
     const CreepForceGrid& grid = job.grid;
     Eigen::Array3Xd forces(3, job.nodes());
-    std::optional<CreepForceSource> source;
+    std::optional<CreepForceTable::Source> source;
     for (Eigen::Index column = 0; column < forces.cols(); ++column) {
         const auto i = static_cast<std::size_t>(column);
         const Eigen::Index shape = column / grid.nodes(), node = column % grid.nodes();
@@ -176,7 +176,7 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
     std::uniform_real_distribution<double> uniform;
     const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();
     const double a_over_b = low * std::pow(high / low, uniform(random));
-    CreepForceSource source(a_over_b, job.grid.poisson_ratio(), job.n);
+    CreepForceTable::Source source(a_over_b, job.grid.poisson_ratio(), job.n);
     const auto& contact = source.contact();
     const auto c = creep_coefficients(contact, source.in_adhesion());
     Difference largest;
@@ -186,7 +186,7 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
         const Eigen::Array3d direction =
             level * Eigen::Array3d(radius * std::cos(angle), radius * std::sin(angle), height);
         const Creepage v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
-        const CreepForceSource::Solution solved = source.solve(v, true);
+        const CreepForceTable::Source::Solution solved = source.solve(v, true);
         const double load = contact.half_width();  // G a b
         const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});
         if (solved.step.status != rollbem::Status::ok || found.status != rollbem::Status::ok) {

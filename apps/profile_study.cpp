@@ -33,7 +33,7 @@ using rollbem::Status;
 
 // --- contacts --------------------------------------------------------------------------------------------------------
 
-using Stresses = std::array<std::vector<std::vector<rollbem::StripStress>>, 2>;  // of each side, patch and strip
+using Stresses = std::array<std::vector<std::vector<rollbem::Yield::Peak>>, 2>;  // of each side, patch and strip
 
 struct Contacts {
     rollbem::WheelsetForces of;
@@ -75,11 +75,11 @@ struct Found {
         return patch() != nullptr && settings.friction ? &contacts.of.patches[std::size_t(side)][*number] : nullptr;
     }
     /// The strip with the largest measure, none where stresses are not known.
-    const rollbem::StripStress* strip(double rollbem::Yield::*measure) const {
+    const rollbem::Yield::Peak* strip(double rollbem::Yield::*measure) const {
         if (solved() == nullptr || contacts.stresses[std::size_t(side)].empty()) return nullptr;
         const auto& strips = contacts.stresses[std::size_t(side)][*number];
         const auto worst = std::max_element(strips.begin(), strips.end(), [&](const auto& one, const auto& other) {
-            return one.peak.largest.*measure < other.peak.largest.*measure;
+            return one.largest.*measure < other.largest.*measure;
         });
         return worst == strips.end() ? nullptr : &*worst;
     }
@@ -98,16 +98,15 @@ using Columns = std::vector<study::Column<Found>>;
 
 /// The largest measures below a patch, where they lie, and its place in the map of shakedown.
 Columns stress_columns() {
-    using rollbem::SubsurfacePeak;
     using rollbem::Yield;
-    const auto peak = [](double Yield::*measure, double SubsurfacePeak::*depth) {
+    const auto peak = [](double Yield::*measure, double Yield::Peak::*depth) {
         return [=](const Found& f) {
-            const rollbem::StripStress* strip = f.strip(measure);
+            const rollbem::Yield::Peak* strip = f.strip(measure);
             if (strip == nullptr) return study::Cell();
-            return study::Cell(depth == nullptr ? strip->peak.largest.*measure : strip->peak.*depth);
+            return study::Cell(depth == nullptr ? strip->largest.*measure : strip->*depth);
         };
     };
-    const auto shakedown = [](double rollbem::ShakedownPoint::*value) {
+    const auto shakedown = [](double rollbem::Yield::Shakedown::*value) {
         return study::where(&Found::solved, [=](const Found& f) {
             return shakedown_point(*f.patch(), *f.solved(), f.settings.shear_yield).*value;
         });
@@ -115,13 +114,13 @@ Columns stress_columns() {
     return {
         {"max_von_mises", "with --stress: largest von Mises stress in the rail below the patch [Pa]",
          peak(&Yield::von_mises, nullptr)},
-        {"von_mises_depth", "depth of that stress [m]", peak(&Yield::von_mises, &SubsurfacePeak::von_mises_depth)},
+        {"von_mises_depth", "depth of that stress [m]", peak(&Yield::von_mises, &Yield::Peak::von_mises_depth)},
         {"max_tresca", "largest shear stress, by Tresca [Pa]", peak(&Yield::tresca, nullptr)},
-        {"tresca_depth", "depth of that stress [m]", peak(&Yield::tresca, &SubsurfacePeak::tresca_depth)},
+        {"tresca_depth", "depth of that stress [m]", peak(&Yield::tresca, &Yield::Peak::tresca_depth)},
         {"shakedown_load", "load factor of the map of shakedown: peak pressure over --shear-yield",
-         shakedown(&rollbem::ShakedownPoint::load_factor)},
+         shakedown(&rollbem::Yield::Shakedown::load_factor)},
         {"shakedown_traction", "traction coefficient of the map of shakedown: force of friction over the normal force",
-         shakedown(&rollbem::ShakedownPoint::traction)}};
+         shakedown(&rollbem::Yield::Shakedown::traction)}};
 }
 
 Columns patch_columns() {
@@ -289,7 +288,8 @@ and without numbers:
                       unit of a profile is meant
   load_not_reached    no height carries the load: another --load; with friction, which may hold the wheel up, --roll
   not_converged       pressures did not settle: other --cells, or --smooth for measured profiles
-  few_cells           fewer than 7 cells touch: finer --cells, or --smooth for measured profiles
+  few_cells           pressures need more cells than can be solved for, or fewer than 7 touch: --smooth for
+                      measured profiles, or finer --cells
   not_finite          a number overflowed: look at the units
 With --friction further ones, with the forces empty:
   invalid_step        the wheel does not roll, as V and -pitch_rate rolling_radius add up to 0: another --pitch-rate
@@ -361,7 +361,7 @@ void write_outlines(study::OutputFiles& files, const Settings& settings, const P
             const double y = outline.y()[left ? outline.y().size() - 1 - i : i];
             edges += study::csv_line({sign * y, outline.trailing(y), outline.leading(y)});
         }
-        const rollbem::CellGrid& grid = patch.grid;
+        const rollbem::NormalContact::Cells& grid = patch.grid;
         for (Eigen::Index i = 0; i < grid.nx; ++i) {
             for (Eigen::Index j = 0; j < grid.ny; ++j) {
                 pressures += study::csv_line({grid.x(i), sign * grid.y(j), patch.pressure(i, j)});
@@ -380,9 +380,8 @@ void write_stresses(study::OutputFile& file, const Settings& settings, const Pos
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch&) {
         const auto& patches = positions[at]->contacts.stresses[left ? 0 : 1];
         if (number >= patches.size()) return;
-        for (const rollbem::StripStress& strip : patches[number]) {
-            const rollbem::SubsurfacePeak& peak = strip.peak;
-            file.write(study::csv_line({at + 1, left ? "left" : "right", number + 1, (left ? -1 : 1) * strip.s, strip.x,
+        for (const rollbem::Yield::Peak& peak : patches[number]) {
+            file.write(study::csv_line({at + 1, left ? "left" : "right", number + 1, (left ? -1 : 1) * peak.y, peak.x,
                                         peak.von_mises_depth, peak.largest.von_mises, peak.largest.tresca}));
         }
     });

@@ -90,7 +90,7 @@ void by_elements(const study::Scene& scene, study::RowRange elements, const stud
 /// Emits the tractions by Chebyshev states, at the points x/a = cos((2k - 1) pi/(2n)), so that there is no mean.
 void by_states(const study::Scene& scene, study::RowRange points, const study::Results<Traction>& emit) {
     const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
-    const rollbem::ChebyshevTraction<double> traction_at{solution.unknowns.col(0)};
+    const rollbem::Chebyshev::Traction<double> traction_at{solution.unknowns.col(0)};
     const bool trusted = solution.status == rollbem::Status::ok;
     const Eigen::Index n = scene.n();
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {

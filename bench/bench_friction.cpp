@@ -134,7 +134,7 @@ template <class Kernel>
 void exact_border(benchmark::State& state) {
     const Contact contact = Contact::dimensionless(aspect, poisson_ratio);
     const Kernel kernel = Kernel::longitudinal(contact);
-    const HertzPressure pressure{peak};
+    const HertzLine::Pressure pressure{peak};
     const double ratio = static_cast<double>(state.range(0)) / 100;
     StickBorderSolution<double> solution;
     for (auto _ : state) {
@@ -236,7 +236,8 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
     const double a = line.half_length() * (breathing ? 1 : 1.25);
     const Contact contact({.half_length = a, .half_width = 1, .shear_modulus = 82e9, .poisson_ratio = 0.28});
     const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
-    const HertzLoad hertz = breathing ? HertzLoad::breathing(line, mesh) : HertzLoad::fixed(line, mesh, a);
+    const HertzLine::Load hertz =
+        breathing ? HertzLine::Load::breathing(line, mesh) : HertzLine::Load::fixed(line, mesh, a);
     NormalLoad load = hertz.at(line.load_per_width());
     const FrictionModel model(
         contact,

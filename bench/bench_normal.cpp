@@ -30,7 +30,7 @@ void BM_NormalContact(benchmark::State& state) {
         {.load = load, .radii_1 = {along, infinite}, .radii_2 = {infinite, across}, .body_1 = steel, .body_2 = steel});
     const double a = 1.1 * hertz.half_length(), b = 1.1 * hertz.half_width();
     const double dx = a / double(n), dy = 2 * b / double(n);
-    const CellGrid grid{.nx = 2 * n, .ny = n, .x_0 = -a + dx / 2, .y_0 = -b + dy / 2, .dx = dx, .dy = dy};
+    const NormalContact::Cells grid{.nx = 2 * n, .ny = n, .x_0 = -a + dx / 2, .y_0 = -b + dy / 2, .dx = dx, .dy = dy};
     Eigen::ArrayXXd gap(grid.nx, grid.ny);
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
         for (Eigen::Index i = 0; i < grid.nx; ++i) {

@@ -30,8 +30,8 @@ AdhesionModel<> make_model(Eigen::Index n, Integrator integrator) {
 /// the front of the step passes the elements, and leaves the contact at 2.
 double step_error(const AdhesionModel<>& model, int steps) {
     static const reference::StepResponse exact(0.25, 100);
-    AdhesionState state = model.at_rest(), next = state;
-    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
     double largest = 0;
     for (int k = 1; k <= 3 * steps; ++k) {
         const double force = model.advance(state, {1.0 / steps, 1.0}, next, workspace).force_per_width;
@@ -65,8 +65,8 @@ constexpr int steps_to_one = 64;
 
 /// A step of the same distance as the one before.
 void step(benchmark::State& bench, const AdhesionModel<>& model) {
-    AdhesionState state = model.at_rest(), next = state;
-    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
     for (auto _ : bench) {
         benchmark::DoNotOptimize(model.advance(state, {1.0 / steps_to_one, 1.0}, next, workspace));
         std::swap(state, next);
@@ -94,8 +94,8 @@ BENCHMARK(BM_ChebyshevStep)->Arg(4)->Arg(8)->Arg(12)->Arg(24)->Arg(40);
 /// A step of another distance than the one before.
 void BM_TransientNewStep(benchmark::State& bench) {
     const AdhesionModel<> model = make_model(bench.range(0), Integrator::sdirk2);
-    AdhesionState state = model.at_rest(), next = state;
-    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
     double dq = 1.0 / steps_to_one;
     for (auto _ : bench) {
         dq = -dq + 2.01 / steps_to_one;
@@ -109,8 +109,8 @@ BENCHMARK(BM_TransientNewStep)->Arg(20)->Arg(40)->Arg(80)->Arg(128);
 /// The first step of a repeated distance, which computes the matrix for those that follow.
 void first(benchmark::State& bench, Integrator integrator) {
     const AdhesionModel<> model = make_model(bench.range(0), integrator);
-    AdhesionState state = model.at_rest(), next = state;
-    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
     double dq = 1.0 / steps_to_one;
     for (auto _ : bench) {
         dq = -dq + 2.01 / steps_to_one;

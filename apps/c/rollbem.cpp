@@ -93,7 +93,7 @@ auto made(const char* function, std::initializer_list<Given> arguments, const Ma
 /// Writes numbers in a row, and returns the place behind them.
 double* put(double* to, std::initializer_list<double> values) { return std::copy(values.begin(), values.end(), to); }
 double* put(double* to, const TangentialForce& of) { return put(to, {of.longitudinal, of.lateral, of.moment}); }
-double* put(double* to, const CreepageTangent& of) {
+double* put(double* to, const TangentialForce::ByCreepage& of) {
     return put(put(put(to, of.by_longitudinal), of.by_lateral), of.by_spin);
 }
 
@@ -111,7 +111,7 @@ struct rollbem_table {
 
 struct rollbem_contact_table {
     ContactTable table;
-    std::array<WheelFriction, 2> friction{};  // left and right
+    std::array<ContactTable::Friction, 2> friction{};  // left and right
 };
 
 struct rollbem_patch {
@@ -208,7 +208,8 @@ rollbem_table* rollbem_table_open(const char* path) {
 void rollbem_table_close(rollbem_table* table) { delete table; }
 
 /// The forces of one contact in `found`, and the code.
-static int look_up(const char* who, const CreepForceTable& table, const double* contact, TabulatedForce& found) {
+static int look_up(const char* who, const CreepForceTable& table, const double* contact,
+                   CreepForceTable::Force& found) {
     found = table.look_up(PatchContact({contact[0], contact[1], contact[2], contact[3]}), contact[4], contact[5],
                           creepage_from(contact + 6));
     if (found.status != Status::ok || found.a_over_b_on_table) return outcome(who, found.status);
@@ -227,7 +228,7 @@ int rollbem_table_forces(const rollbem_table* table, size_t count, const double*
         int code = ROLLBEM_OK;
         std::string message;  // about the first of the worst contacts
         for (size_t i = 0; i < count; ++i, contacts += 9) {
-            TabulatedForce found;
+            CreepForceTable::Force found;
             const int own = call(who, {}, [&](const char*) { return look_up(who, table->table, contacts, found); });
             forces = put(forces, found.force);
             if (tangents != nullptr) {
@@ -294,13 +295,13 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
     return call(
         __func__, {{"table", table}, {"creep", creep}, {"inputs", inputs}, {"force", force}}, [&](const char* who) {
             const WheelsetSide of = side_of(who, side);
-            WheelLoad load(inputs[WheelForces::load]);
+            ContactTable::Load load(inputs[WheelForces::load]);
             if (!std::isnan(inputs[WheelForces::roll])) load.roll = inputs[WheelForces::roll];
             const WheelsetPosition at{.lateral = inputs[WheelForces::lateral], .yaw = inputs[WheelForces::yaw]};
             const WheelsetSpeeds speeds{inputs[WheelForces::forward],       inputs[WheelForces::pitch_rate],
                                         inputs[WheelForces::lateral_speed], inputs[WheelForces::vertical_speed],
                                         inputs[WheelForces::roll_rate],     inputs[WheelForces::yaw_rate]};
-            WheelFriction friction = table->friction[std::size_t(side)];
+            ContactTable::Friction friction = table->friction[std::size_t(side)];
             friction.coefficient = inputs[WheelForces::mu];
             const WheelForces now = tangent == nullptr
                                         ? table->table.forces(creep->table, of, at, speeds, load, friction)
@@ -331,10 +332,10 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
 int rollbem_contact_table_set_friction(rollbem_contact_table* table, int side, const double factors[4]) {
     return call(__func__, {{"table", table}, {"factors", factors}}, [&](const char* who) {
         side_of(who, side);
-        for (std::size_t zone = 0; zone < ContactZones::most; ++zone) {
+        for (std::size_t zone = 0; zone < ContactTable::Zones::most; ++zone) {
             detail::require_not_negative(who, "factor", factors[zone]);
         }
-        std::copy_n(factors, ContactZones::most, table->friction[std::size_t(side)].factor.begin());
+        std::copy_n(factors, ContactTable::Zones::most, table->friction[std::size_t(side)].factor.begin());
     });
 }
 
@@ -515,8 +516,8 @@ rollbem_wheel_options options_from(const char* who, const rollbem_wheel_options*
 }
 
 /// How to read a profile; smoothing applies to one from a file.
-ProfileFileOptions file_options(const rollbem_wheel_options& o, const std::filesystem::path& name, Profile::Use use,
-                                int mirror) {
+ProfileFile::Options file_options(const rollbem_wheel_options& o, const std::filesystem::path& name, Profile::Use use,
+                                  int mirror) {
     return {.per_metre = o.per_metre,
             .mirror_y = (mirror & ROLLBEM_MIRROR_Y) != 0,
             .mirror_z = (mirror & ROLLBEM_MIRROR_Z) != 0,
@@ -569,10 +570,11 @@ rollbem_wheel* rollbem_wheel_open(const char* wheel_path, const char* rail_path,
         const auto wheel_name = path_of(wheel_path != nullptr ? wheel_path : "s1002"),
                    rail_name = path_of(rail_path != nullptr ? rail_path : "60e1");
         const auto cant = o.cant != detail::usual_cant ? std::optional(o.cant) : std::nullopt;
-        const WheelFile wheel =
+        const ProfileFile::Wheel wheel =
             open_wheel(wheel_name, file_options(o, wheel_name, Profile::Use::wheel, o.wheel_mirror), any_shape);
-        const RailFile rail = open_rail(rail_name, file_options(o, rail_name, Profile::Use::rail, o.rail_mirror),
-                                        {cant, o.roller_radius, by_origin}, any_shape);
+        const ProfileFile::Rail rail =
+            open_rail(rail_name, file_options(o, rail_name, Profile::Use::rail, o.rail_mirror),
+                      {cant, o.roller_radius, by_origin}, any_shape);
         std::string notes;
         for (const auto* of_wheel : {&wheel.notes, &wheel.doubts}) {
             for (const std::string& note : *of_wheel) notes += "wheel: " + note + "\n";

@@ -23,9 +23,9 @@ struct Scene {
 /// A table to make.
 struct Making {
     Scene scene;
-    rollbem::ContactTableOptions making;
-    std::string said;                           ///< the options of the grid, for messages
-    std::vector<rollbem::ContactSide> sides{};  ///< of --rows, in place of a computation
+    rollbem::ContactTableMaker::Options making;
+    std::string said;                                       ///< the options of the grid, for messages
+    std::vector<rollbem::ContactTableMaker::Side> sides{};  ///< of --rows, in place of a computation
 };
 
 struct Position {
@@ -48,8 +48,8 @@ Making read_making(const study::Options& options);
 Comparison read_comparison(const study::Options& options);
 
 /// The sides of a table by the rows of --rows.
-std::vector<rollbem::ContactSide> read_sides(const study::Options& options, const rollbem::ContactTable::Grid& grid,
-                                             std::size_t sides);
+std::vector<rollbem::ContactTableMaker::Side> read_sides(const study::Options& options,
+                                                         const rollbem::ContactTable::Grid& grid, std::size_t sides);
 
 /// The table of rows of a maker, which is to solve the lines that it asks for: for each shift and side of a line one
 /// for each zone that there may be. Both must outlive it.

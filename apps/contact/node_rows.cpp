@@ -11,9 +11,9 @@ namespace contact {
 
 namespace {
 
-using rollbem::ContactNode, rollbem::ContactRow, rollbem::ContactSide, rollbem::ContactTable, rollbem::ContactZones;
+using rollbem::ContactRow, rollbem::ContactTable, rollbem::ContactTableMaker;
 
-constexpr std::size_t zones = ContactZones::most;
+constexpr std::size_t zones = ContactTable::Zones::most;
 
 std::vector<std::string> columns() {
     std::vector<std::string> names =
@@ -57,11 +57,11 @@ struct Place {
 
 study::Row node_row(const rollbem::ContactTableMaker& maker, const ContactTable::Grid& grid, const Place& place) {
     study::Row row = place.key(grid, maker.side_count());
-    const ContactZones& own = maker.zones(place.side);
+    const ContactTable::Zones& own = maker.zones(place.side);
     const bool is_cut = place.zone < own.cuts().size(), exists = place.zone < std::size_t(own.count());
     row.push_back(is_cut ? study::Cell(own.cuts()[place.zone].y) : study::Cell());
     row.push_back(is_cut ? study::Cell(own.cuts()[place.zone].half_width) : study::Cell());
-    const ContactNode node = maker.node(place.side, place.line, place.shift);
+    const ContactTableMaker::Node node = maker.node(place.side, place.line, place.shift);
     row.push_back(node.known ? study::Cell(node.support) : study::Cell());
     row.push_back(node.known ? study::Cell(node.roll) : study::Cell());
     row.emplace_back(node.known ? "ok" : "no_contact");
@@ -72,9 +72,9 @@ study::Row node_row(const rollbem::ContactTableMaker& maker, const ContactTable:
 }
 
 /// The zones of one side, as its first rows have them.
-ContactZones read_zones(const study::JoinedRows& rows, const ContactTable::Grid& grid, std::size_t sides,
-                        std::size_t side) {
-    std::vector<ContactZones::Cut> cuts;
+ContactTable::Zones read_zones(const study::JoinedRows& rows, const ContactTable::Grid& grid, std::size_t sides,
+                               std::size_t side) {
+    std::vector<ContactTable::Zones::Cut> cuts;
     for (std::size_t zone = 0; zone < zones; ++zone) {
         const std::size_t row = side * zones + zone;
         const auto cells = rows.cells(row, Place(grid, sides, row).key(grid, sides));
@@ -83,7 +83,7 @@ ContactZones read_zones(const study::JoinedRows& rows, const ContactTable::Grid&
         cuts.push_back({*y, *half_width});
     }
     try {
-        return ContactZones(cuts);
+        return ContactTable::Zones(cuts);
     } catch (const std::invalid_argument& error) {
         rows.require(false, side * zones, error.what());
         throw;
@@ -92,7 +92,7 @@ ContactZones read_zones(const study::JoinedRows& rows, const ContactTable::Grid&
 
 /// Takes one row into its node.
 void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<std::string>& cells, std::size_t zone,
-              const ContactSide& side, ContactNode& node) {
+              const ContactTableMaker::Side& side, ContactTableMaker::Node& node) {
     const auto& cuts = side.zones.cuts();
     const auto number = [&](std::size_t k) -> double {
         const auto found = study::number_of(cells[k]);
@@ -149,17 +149,18 @@ study::Table node_table(rollbem::ContactTableMaker& maker, const ContactTable::G
     return table;
 }
 
-std::vector<ContactSide> read_sides(const study::Options& options, const ContactTable::Grid& grid, std::size_t sides) {
+std::vector<ContactTableMaker::Side> read_sides(const study::Options& options, const ContactTable::Grid& grid,
+                                                std::size_t sides) {
     const std::size_t lines = grid.loads.size() * grid.yaws.size(), count = lines * rows_of_line(grid, sides);
     const study::JoinedRows rows(options, columns(), count);
-    std::vector<ContactSide> found(sides);
+    std::vector<ContactTableMaker::Side> found(sides);
     for (std::size_t side = 0; side < sides; ++side) {
         found[side].zones = read_zones(rows, grid, sides, side);
         found[side].nodes.resize(lines * grid.shifts.size());
     }
     for (std::size_t row = 0; row < count; ++row) {
         const Place place(grid, sides, row);
-        ContactSide& side = found[place.side];
+        ContactTableMaker::Side& side = found[place.side];
         read_row(rows, row, rows.cells(row, place.key(grid, sides)), place.zone, side,
                  side.nodes[place.line * grid.shifts.size() + place.shift]);
     }

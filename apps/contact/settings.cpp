@@ -94,12 +94,13 @@ void require_same_profiles(const study::Options& options, const char* name, cons
 }
 
 /// The middle and both ends of each line of nodes.
-std::vector<Known> known_places(const ContactTable::Grid& grid, const std::vector<rollbem::ContactSide>& sides) {
+std::vector<Known> known_places(const ContactTable::Grid& grid,
+                                const std::vector<rollbem::ContactTableMaker::Side>& sides) {
     const std::size_t shifts = grid.shifts.size(), yaws = grid.yaws.size();
     std::vector<Known> places;
     for (std::size_t line = 0; line < grid.loads.size() * yaws; ++line) {
         for (const std::size_t i : {std::size_t(0), shifts / 2, shifts - 1}) {
-            const rollbem::ContactNode& node = sides.back().nodes[line * shifts + i];
+            const rollbem::ContactTableMaker::Node& node = sides.back().nodes[line * shifts + i];
             if (!node.known) continue;
             places.push_back({grid.loads[line / yaws],
                               {.lateral = grid.shifts[i], .roll = node.roll, .yaw = grid.yaws[line % yaws]},
@@ -167,7 +168,7 @@ ContactTable::Grid read_grid(const study::Options& options) {
 }
 
 /// A list of Y,H: the cuts of the zones.
-std::optional<rollbem::ContactZones> read_zones(const study::Options& options, const std::string& name) {
+std::optional<rollbem::ContactTable::Zones> read_zones(const study::Options& options, const std::string& name) {
     if (!options.given(name)) return std::nullopt;
     std::vector<double> numbers;
     for (const std::string& cell : study::cells_of(options.text(name))) {
@@ -176,21 +177,21 @@ std::optional<rollbem::ContactZones> read_zones(const study::Options& options, c
         numbers.push_back(*number);
     }
     options.require(numbers.size() % 2 == 0, name, "be pairs of y and half-width");
-    std::vector<rollbem::ContactZones::Cut> cuts;
+    std::vector<rollbem::ContactTable::Zones::Cut> cuts;
     for (std::size_t k = 0; k < numbers.size(); k += 2) cuts.push_back({numbers[k], numbers[k + 1]});
-    return study::blame(options.said(name), [&] { return rollbem::ContactZones(cuts); });
+    return study::blame(options.said(name), [&] { return rollbem::ContactTable::Zones(cuts); });
 }
 
 /// Cuts between zones must lie over the rail.
 void require_on_rail(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset,
-                     const std::array<std::optional<rollbem::ContactZones>, 2>& all) {
+                     const std::array<std::optional<rollbem::ContactTable::Zones>, 2>& all) {
     for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
         const std::string name = side == WheelsetSide::left ? "left-zones" : "zones";
         const auto& own = all[std::size_t(side)];
         const rollbem::WheelOnRail& wheel = wheelset.wheel(side);
         const double inner = wheel.rail_origin() + wheel.rail().y().minCoeff(),
                      outer = wheel.rail_origin() + wheel.rail().y().maxCoeff();
-        for (const auto& cut : own ? own->cuts() : std::vector<rollbem::ContactZones::Cut>{}) {
+        for (const auto& cut : own ? own->cuts() : std::vector<rollbem::ContactTable::Zones::Cut>{}) {
             options.require(
                 inner < cut.y && cut.y < outer, name,
                 "lie over the rail, from y = " + study::Cell(inner).text(4) + " to " + study::Cell(outer).text(4));
@@ -285,7 +286,7 @@ void add_options(study::Options& options) {
 }
 
 Making read_making(const study::Options& options) {
-    rollbem::ContactTableOptions making{.grid = read_grid(options), .jobs = study::job_count(options)};
+    rollbem::ContactTableMaker::Options making{.grid = read_grid(options), .jobs = study::job_count(options)};
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
     making.fits_friction = !options.flag("no-fit");
     const bool to_file = options.given("output") && options.text("output") != "-";

@@ -32,7 +32,7 @@ double ride(Eigen::Index n, int steps_per_wave) {
     const PatchMesh<double> mesh = patch_mesh(contact, n, n);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(poisson);
-    const auto hertz = HertzPatchLoad::breathing(ellipse, contact, mesh);
+    const auto hertz = HertzEllipse::Load::breathing(ellipse, contact, mesh);
     NormalLoad load = hertz.at(mean_load);
     const FrictionModel model(contact, breathing_system(contact, mesh, scheme, kernel),
                               judge_stability(patch_subsystems(mesh, scheme, kernel)), {0.3, load.normal_pressure});

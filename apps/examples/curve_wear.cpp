@@ -102,7 +102,7 @@ PatchForce archard_wear(const WheelForces::Point& point, const CreepForceTable& 
     const double a = point.ellipse.half_length(), b = point.ellipse.half_width(),
                  peak = 1.5 * point.normal_load / (std::numbers::pi * a * b);
     const SimplifiedTheory theory(point.ellipse, creep_coefficients(creep, point.ellipse), mu, point.normal_load);
-    theory.fastsim(point.creepage, [&](const SimplifiedElement& element) {
+    theory.fastsim(point.creepage, [&](const SimplifiedTheory::Element& element) {
         const double x = element.x / a, y = element.y / b, rest = 1 - x * x - y * y,
                      shape = rest > 0 ? std::sqrt(rest) : 0, slip = std::hypot(element.slip[0], element.slip[1]);
         const double k = archard_coefficient(shape * point.peak_pressure, slip * speed, hardness);

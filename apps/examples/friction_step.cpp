@@ -1,7 +1,8 @@
 // A wheel that slips, step by step: its force, the heat of friction and the energy of the elastic half-spaces.
 #include <iostream>
 
-#include <rollbem/rollbem.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/line.hpp>
 
 using namespace rollbem;
 

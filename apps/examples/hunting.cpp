@@ -40,7 +40,8 @@ constexpr double half_spacing = 0.75, radius = 0.46;                  // of the 
 enum { y, yaw, track, lateral_speed, yaw_rate, track_speed, pitch_rate, motion, drive = motion, heat, normal, states };
 using State = Eigen::Matrix<double, states, 1>;
 
-WheelForces wheel(double side, double shift, double yaw, const WheelsetSpeeds& speeds, const WheelLoad& carried) {
+WheelForces wheel(double side, double shift, double yaw, const WheelsetSpeeds& speeds,
+                  const ContactTable::Load& carried) {
     return geometry.look_up(steel, side < 0 ? WheelsetSide::left : WheelsetSide::right, {.lateral = shift, .yaw = yaw},
                             speeds, carried, friction);
 }

@@ -36,7 +36,7 @@ int main() {
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
     const PatchShapes<double> shapes(8, 8, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson),
                                      {.least = 0.45, .largest = 2.2, .factor = 1.5});
-    const auto hertz = HertzPatchLoad::breathing(first, contact, mesh);
+    const auto hertz = HertzEllipse::Load::breathing(first, contact, mesh);
     NormalLoad normal = hertz.at(load);
     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes),
                               {0.3, normal.normal_pressure});

@@ -41,7 +41,7 @@ public:
         if (step.status != Status::ok) std::exit(EXIT_FAILURE);
         constexpr int n = 40;
         const SimplifiedTheory theory(contact_, kalker_, 1, 1, {n, n}),
-            elliptic(contact_, kalker_, 1, 1, {n, n, TractionBound::elliptic});
+            elliptic(contact_, kalker_, 1, 1, {n, n, SimplifiedTheory::Bound::elliptic});
         return {step.force, theory.fastsim(at).force, elliptic.fastsim(at).force, theory.fastrip(at).force,
                 saturated(x, y + spin)};
     }

@@ -10,7 +10,7 @@ int main() {
     const HertzLine line({.load_per_width = 1e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
     const Contact contact = line.contact(0.5);  // half-width [m]
     const Mesh<double> mesh = cosine_mesh(40);
-    const HertzLoad hertz = HertzLoad::breathing(line, mesh);
+    const HertzLine::Load hertz = HertzLine::Load::breathing(line, mesh);
     NormalLoad load = hertz.at(1e6);
     const auto system =
         rolling_system(mesh, NodeDifference{Nodes::chebyshev}, PlaneKernel<double>::longitudinal(contact));

@@ -208,11 +208,11 @@ bool presses(const RailPatch& patch, const RailPatch& other) {
 
 /// Whether the undeformed surfaces interpenetrate all along the wheel from one patch to another.
 bool is_unbroken(const Pair& pair, const WheelsetPosition& at, const RailPatch& from, const RailPatch& to) {
-    const PlacedWheel placed = pair.wheel.geometry().placed(at);
+    const WheelSurface::Placed placed = pair.wheel.geometry().placed(at);
     constexpr int parts = 100;
     for (int k = 0; k <= parts; ++k) {
         const double part = double(k) / parts, x = from.x + part * (to.x - from.x);
-        const CurvePoint p = placed.section(from.wheel_s + part * (to.wheel_s - from.wheel_s), x);
+        const RailSurface::Point p = placed.section(from.wheel_s + part * (to.wheel_s - from.wheel_s), x);
         if (!p.defined || !(pair.rail.above(p.y, p.z + at.height, p.slope[0], p.slope[1]).first < 0)) return false;
     }
     return true;

@@ -54,7 +54,7 @@ private:
 /// The displacement of both surfaces by the pressures of a patch at (x, y, z), along its normal [m].
 inline double displacement(const rollbem::RailPatch& patch, double compliance, double x, double y, double z) {
     const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle), here = x - patch.x;
-    const rollbem::CellGrid& grid = patch.grid;
+    const rollbem::NormalContact::Cells& grid = patch.grid;
     const double beyond = (std::max)(std::abs(here - grid.x(grid.nx / 2)) / (double(grid.nx) * grid.dx),
                                      std::abs(s - grid.y(grid.ny / 2)) / (double(grid.ny) * grid.dy));
     if (beyond > 1.5)
@@ -83,12 +83,12 @@ inline double displacement(const rollbem::RailPatch& patch, double compliance, d
 inline double least_gap(const rollbem::WheelOnRail& wheel, const RailPoints& rail, rollbem::WheelsetPosition at,
                         const rollbem::WheelOnRail::Contact& contact) {
     at.height = contact.height;
-    const rollbem::PlacedWheel placed = wheel.geometry().placed(at);
+    const rollbem::WheelSurface::Placed placed = wheel.geometry().placed(at);
     const double length = wheel.wheel().length();
     double least = 0;
     for (double x = -0.048; x <= 0.0481; x += 4e-3) {
         for (double s = 0; s <= length; s += 7e-4) {
-            const rollbem::CurvePoint p = placed.section(s, x);
+            const rollbem::RailSurface::Point p = placed.section(s, x);
             if (!p.defined) continue;
             const double z = p.z + at.height;
             const auto [gap, angle] = rail.above(p.y, z, p.slope[0], p.slope[1]);

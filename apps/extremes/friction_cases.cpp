@@ -22,7 +22,7 @@ namespace extremes {
 
 namespace {
 
-using rollbem::HertzLoad;
+using rollbem::HertzLine;
 using rollbem::Mesh;
 using rollbem::Nodes;
 using rollbem::PlaneKernel;
@@ -249,9 +249,9 @@ public:
 private:
     using Model = rollbem::FrictionModel;
 
-    HertzLoad make_hertz(const Mesh<double>& mesh, double covered) const {
+    HertzLine::Load make_hertz(const Mesh<double>& mesh, double covered) const {
         const auto line = rollbem::HertzLine::dimensionless(full_ / (pi / 2));
-        return covered > 0 ? HertzLoad::fixed(line, mesh, covered) : HertzLoad::breathing(line, mesh);
+        return covered > 0 ? HertzLine::Load::fixed(line, mesh, covered) : HertzLine::Load::breathing(line, mesh);
     }
     Model make_model(const Mesh<double>& mesh, double covered, double mu) const {
         const rollbem::Contact contact({.half_length = covered > 0 ? covered : 1,
@@ -271,7 +271,7 @@ private:
     }
 
     double full_;
-    HertzLoad hertz_;
+    HertzLine::Load hertz_;
     rollbem::NormalLoad load_;
     Model model_;
     rollbem::Run<Model> run_;

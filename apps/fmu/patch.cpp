@@ -155,7 +155,7 @@ public:
 
 private:
     using Force = TangentialForce;
-    using Hertz = HertzPatchLoad;
+    using Hertz = HertzEllipse::Load;
     using Friction = FrictionModel;
     using Step = FrictionStep;
     using State = FrictionState;
@@ -344,7 +344,7 @@ private:
 
     // A step by table: forces at the inputs of its end, work as the mean over the inputs of both ends.
     Step take_by_table(const Values& start, const Past& step) {
-        const TabulatedForce found = find(step.at);
+        const CreepForceTable::Force found = find(step.at);
         Step result = step_of(found, step);
         if (result.status == Status::ok && (start != step.at).any()) {
             const Step before = step_of(find(start), {step.duration, start});
@@ -374,8 +374,8 @@ private:
         return PatchContact({axes.half_length, axes.half_width, shear_modulus_, poisson_ratio_});
     }
 
-    TabulatedForce find(const Values& at) const {
-        TabulatedForce refused;
+    CreepForceTable::Force find(const Values& at) const {
+        CreepForceTable::Force refused;
         refused.status = Status::invalid_load;
         if (at[load] < 0 || (is_given(at) && !(at[length] > 0 && at[width] > 0))) return refused;
         const double V = std::max(at[speed], least_speed);
@@ -383,7 +383,7 @@ private:
                                {at[along] / V, at[across] / V, at[spin] / V});
     }
 
-    static Step step_of(const TabulatedForce& found, const Past& step) {
+    static Step step_of(const CreepForceTable::Force& found, const Past& step) {
         Step result;
         result.status = found.status;
         if (result.status != Status::ok) return result;

@@ -22,10 +22,10 @@ rollbem::Contact contact_of(const study::Scene& scene, double half_length) {
 
 double largest_half_length(const study::Run& run) { return std::sqrt(run.imposed.largest("load_ratio")); }
 
-rollbem::HertzLoad hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh) {
+rollbem::HertzLine::Load hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh) {
     const auto line = rollbem::HertzLine::dimensionless();
-    return run.breathing ? rollbem::HertzLoad::breathing(line, mesh)
-                         : rollbem::HertzLoad::fixed(line, mesh, largest_half_length(run));
+    return run.breathing ? rollbem::HertzLine::Load::breathing(line, mesh)
+                         : rollbem::HertzLine::Load::fixed(line, mesh, largest_half_length(run));
 }
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {

@@ -46,7 +46,7 @@ struct Pressure {
 double largest_half_length(const study::Run& run);
 
 /// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the run needs.
-rollbem::HertzLoad hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
+rollbem::HertzLine::Load hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
 
 /// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
 struct CreepPoint {

@@ -149,7 +149,7 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 
 Pressure read_pressure(const study::Options& options) {
     if (!options.given("pressure")) {
-        const rollbem::HertzPressure hertz;
+        const rollbem::HertzLine::Pressure hertz;
         return {hertz, hertz, true};
     }
     const study::Rule within = study::between(-1, 1);
@@ -208,7 +208,8 @@ Scenario read_scenario(const study::Options& options) {
     }
     if (imposed.has("speed")) {
         if (!scenario.line.law)
-            throw study::BadInput("the column speed must go with --falling: nothing else depends on it");
+            throw study::BadInput("the column speed must go with " + study::friction_law_flags() +
+                                  ": nothing else depends on it");
         const study::Numbers& speeds = imposed.values("speed");
         const double least = *std::min_element(speeds.begin(), speeds.end());
         options.require(least > 0 && imposed.at("speed", 0, true) > 0, "history",

@@ -124,7 +124,7 @@ const study::Sheet<CreepRow>& traction_sheet() {
         {{"creepage_ratio", "creepage ratio, as above", [](const R& r) { return r.point.longitudinal; }},
          {"x_over_a", "position x/a of the element's centre", [](const R& r) { return r.of.x[r.i]; }},
          {"traction", "traction along x [mu p0]", if_ok([](const R& r) { return r.of.traction(r.i, 0); })},
-         {"bound", "bound of the traction [mu p0], by mu_0 under --falling",
+         {"bound", "bound of the traction [mu p0], by mu_0 under " + study::friction_law_flags(),
           [](const R& r) { return r.of.bound[r.i]; }},
          {"stick", "1 where the element sticks, else 0",
           if_ok([](const R& r) { return int(r.of.sticks[std::size_t(r.i)]); })},

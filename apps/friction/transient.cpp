@@ -160,7 +160,8 @@ const study::Sheet<TimeRow>& time_sheet() {
              {"elastic_energy", "elastic energy [mu N mu p0 a/G]",
               if_valid([](const R& r) { return r.moment.elastic_energy / r.full; })},
              {"jump_work",
-              "elastic energy that jumps of the tractions have released [mu N mu p0 a/G], as under --falling",
+              "elastic energy that jumps of the tractions have released [mu N mu p0 a/G], as under " +
+                  study::friction_law_flags(),
               if_valid([](const R& r) { return r.moment.jump_work / r.full; })}},
             law_columns<R>()),
         study::settings};

@@ -77,7 +77,7 @@ Tractions tractions(const Case& c) {
 
 Eigen::Index unstable_count(const Case& c) {
     const rollbem::ElementSystem<double> system = system_of(c);
-    const rollbem::UnstableCount fast = rollbem::count_unstable(system);
+    const rollbem::StabilityResult::Count fast = rollbem::count_unstable(system);
     if (fast.status == rollbem::Status::ok) return fast.unstable_count;
     const rollbem::StabilityResult slow = rollbem::solve_stability(system);
     if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");

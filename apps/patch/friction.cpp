@@ -109,7 +109,8 @@ study::Sheet<FrictionRow, Patch> traction_sheet(bool falls) {
           if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
          {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}});
     if (falls) {
-        columns.push_back({"friction", "with --falling: coefficient of friction of the element [mu_0]",
+        columns.push_back({"friction",
+                           "with " + study::friction_law_flags() + ": coefficient of friction of the element [mu_0]",
                            if_ok([](const R& r) { return r.state.friction_coefficient[r.i]; })});
     }
     return {identity, columns, "scheme"};

@@ -77,7 +77,7 @@ std::vector<study::Column<Row>> creepage_columns() {
 /// Throws BadInput if less than half of the load of --pressure lies on them, or if it covers less than nine tenths.
 using Pressure = std::function<Eigen::ArrayXd(const Patch&)>;
 
-/// The law of friction under these pressures, constant or as --falling has it, in the units of the patch.
+/// The law of friction under these pressures, constant or one of friction_laws(), in the units of the patch.
 rollbem::Friction friction_of(const std::optional<study::ChosenLaw>& law, const Patch& patch, Eigen::ArrayXd pressures);
 
 /// The units of forces [N] and moments [N m] of a patch given in SI.

@@ -52,7 +52,7 @@ Columns others(const Records& rows, const Axis& x) {
     return by;
 }
 
-/// A panel like `frame` for each column with its label.
+/// A panel like `frame` for each column with its label; a title that has creepages has their unit.
 study::Picture panels_of(const study::Plot& frame, const Records& rows, study::Selection selection,
                          const std::vector<Axis>& labels) {
     study::Picture panels;
@@ -61,6 +61,8 @@ study::Picture panels_of(const study::Plot& frame, const Records& rows, study::S
         panel.y.label = label;
         selection.y = column;
         study::add_series(panel, rows, selection);
+        const auto has = [&](const char* creepage) { return panel.title.find(creepage) != std::string::npos; };
+        if (has("ξ = ") || has("η = ") || has("φ c = ")) panel.title += " in μ N / (G a b)";
     }
     return panels;
 }
@@ -153,7 +155,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const R
 study::Picture draw_coefficients(const Records& rows) {
     const bool over_ratio = rows.numbers("a_over_b").size() > 1;
     const Axis x = picture_axes[over_ratio ? 3 : 4];
-    const study::Plot frame{"Contact patch", {x.label, true}, {.logarithmic = over_ratio}};
+    const study::Plot frame{"Creep coefficients of contact patches", {x.label, true}, {.logarithmic = over_ratio}};
     study::Picture panels = panels_of(frame, rows, {.by = others(rows, x), .x = x.column},
                                       {{"c11", "c_{11}"}, {"c22", "c_{22}"}, {"c23", "c_{23}"}, {"c33", "c_{33}"}});
     if (over_ratio) {
@@ -176,8 +178,9 @@ study::Picture draw_responses(const Records& rows) {
     const bool logarithmic = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin();
     study::Picture panels;
     for (const std::string ij : {"11", "22", "23", "33"}) {
-        study::Plot& panel = panels.emplace_back(
-            study::Plot{"Contact patch", {"ω a / V", logarithmic}, {"Re c_{" + ij + "}, Im c_{" + ij + "}"}});
+        study::Plot& panel = panels.emplace_back(study::Plot{"Frequency response of contact patches",
+                                                             {"ω a / V", logarithmic},
+                                                             {"Re c_{" + ij + "}, Im c_{" + ij + "}"}});
         for (const auto& [part, prefix] : {std::pair{"_re", "Re"}, {"_im", "Im"}}) {
             study::add_series(panel, rows, {.by = patch_columns, .x = "omega", .y = "c" + ij + part, .prefix = prefix});
         }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -137,12 +138,20 @@ SiScene read_si(const study::Options& options) {
         options.require(options.given(name), "creepage", std::string("go with --") + name);
     }
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    SiScene scene{positive("normal-load"), positive("friction"),      positive("half-length"),
-                  positive("half-width"),  positive("shear-modulus"), options.row("creepage", 3)};
+    SiScene scene{positive("normal-load"),
+                  positive("friction"),
+                  positive("half-length"),
+                  positive("half-width"),
+                  options.number("shear-modulus", study::shear_modulus()),
+                  options.row("creepage", 3)};
     options.require(!scene.creepage.empty(), "creepage",
                     "be three numbers with commas between them: xi, eta, phi [1/m]");
     options.require(study::between(1e-6, 1e6).holds(scene.a / scene.b), "half-length",
                     "be 1e-6 to 1e6 times --half-width");
+    const double pressure = 1.5 * scene.load / (std::numbers::pi * scene.a * scene.b);
+    options.require(pressure < scene.shear_modulus, "normal-load",
+                    "be in N, --half-length and --half-width in m: the largest pressure, " +
+                        study::Cell(pressure).text(3) + " Pa, is above --shear-modulus");
     return scene;
 }
 
@@ -242,8 +251,8 @@ rollbem::PressureGrid read_grid(const study::Options& options) {
 Eigen::ArrayXd means_of(const rollbem::PressureGrid& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
-    std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);
-    for (rollbem::Rectangle<double>& element : elements) {
+    std::vector<rollbem::PatchMesh<double>::Rectangle> elements = patch.mesh.rectangles(a);
+    for (rollbem::PatchMesh<double>::Rectangle& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }
     const Eigen::ArrayXd means = grid(elements);
@@ -352,11 +361,13 @@ void add_si_options(study::Options& options) {
     }
     const std::vector<std::string> with{"creepage"};
     options.add("normal-load", "N", "load of the ellipse [N], above 0").only_with(with);
-    options.add("friction", "MU", "coefficient of friction [dimensionless], above 0; mu_0 with --falling")
+    options
+        .add("friction", "MU",
+             "coefficient of friction [dimensionless], above 0; mu_0 with " + study::friction_law_flags())
         .only_with(with);
     options.add("half-length", "A", "semi-axis along the rolling direction [m], above 0").only_with(with);
     options.add("half-width", "B", "semi-axis across it [m], above 0").only_with(with);
-    options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], above 0").only_with(with);
+    options.add("shear-modulus", "G", "shear modulus of both bodies [Pa], 1e7 to 1e13").only_with(with);
 }
 
 void add_transient_options(study::Options& options) {

@@ -172,8 +172,9 @@ study::Sheet<TimeRow, Patch> time_sheet(bool falls) {
               [](const R& r) { return r.moment.shift.lateral / r.patch.contact.half_length(); }}}));
     if (falls) {
         columns.push_back({"jump_work",
-                           "with --falling: elastic energy that jumps of the tractions have released, which creep_work "
-                           "contains besides, in the unit of works",
+                           "with " + study::friction_law_flags() +
+                               ": elastic energy that jumps of the tractions have released, which creep_work "
+                               "contains besides, in the unit of works",
                            if_valid([](const R& r) { return r.work(r.moment.jump_work); })});
         columns = study::joined(columns,
                                 study::friction_law_columns<R>([](const R& r) -> const auto& { return r.scene.law; }));

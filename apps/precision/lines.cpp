@@ -155,8 +155,8 @@ Values load_forces(const Scene& scene, const Settings& settings, const Place& pl
     const auto line = rollbem::HertzLine::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
     const bool follows = breathes(scene, settings);
     const double half_length = follows ? 1 : std::sqrt(1 + load_amplitude);
-    const auto hertz = follows ? rollbem::HertzLoad::breathing(line, *scene.mesh)
-                               : rollbem::HertzLoad::fixed(line, *scene.mesh, half_length);
+    const auto hertz = follows ? rollbem::HertzLine::Load::breathing(line, *scene.mesh)
+                               : rollbem::HertzLine::Load::fixed(line, *scene.mesh, half_length);
     const Contact covered({.half_length = half_length,
                            .half_width = scene.contact.half_width(),
                            .shear_modulus = 1,
@@ -215,7 +215,7 @@ Found tractions(const Scene& scene) {
     if (scene.chebyshev) {
         const auto states = steady(scene);
         if (states.status != Status::ok) return {{nan}, {1}};
-        return at_points(nu, rollbem::ChebyshevTraction<double>{states.unknowns.col(0)});
+        return at_points(nu, rollbem::Chebyshev::Traction<double>{states.unknowns.col(0)});
     }
     const auto of = [](const Scene& one) {  // Knothe and Gross-Thebing's leading element carries none
         const Array found = steady(one).unknowns.col(0);

@@ -55,9 +55,14 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     plot.title = title_of(shown) + note;
     if (plot.series.size() == 1) plot.series[0].label = *rows.texts("scheme").begin();
     std::string left_out;  // of the front: schemes that serve for comparison alone
+    const auto leave_out = [&](const std::string& what) {
+        if (left_out.find(what) == std::string::npos) left_out += (left_out.empty() ? "; front without " : ", ") + what;
+    };
     for (const std::string& scheme : rows.texts("scheme")) {
-        if (!is_discretisation(scheme) || !shown.competes(scheme))
-            left_out += (left_out.empty() ? "; front without " : ", ") + scheme;
+        const bool extrapolated = scheme.starts_with("richardson:");
+        if (!is_discretisation(scheme) || !shown.competes(scheme)) {
+            leave_out(extrapolated ? "extrapolated schemes" : scheme);
+        }
     }
     plot.title += left_out;
     std::sort(front.points.begin(), front.points.end());

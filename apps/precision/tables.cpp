@@ -163,7 +163,7 @@ void print_recommendations(const Recommendation& wanted) {
     };
     const auto patch = [=](double spin) {
         return [=] {
-            const rollbem::RecommendedPatch best = rollbem::recommended_patch(tolerance, a_over_b, spin);
+            const auto best = rollbem::recommended_patch(tolerance, a_over_b, spin);
             return std::to_string(best.n) + " --strips " + std::to_string(best.strips);
         };
     };

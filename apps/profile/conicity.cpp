@@ -15,10 +15,9 @@ namespace profile {
 
 namespace {
 
-using rollbem::EquivalentConicity;
 using rollbem::RadiusDifference;
-using rollbem::RollingRadii;
 using rollbem::Status;
+using rollbem::WheelsetOnTrack;
 
 const study::Plot difference_frame{"Difference of the rolling radii", {"y [mm]"}, {"Δr [mm]"}};
 constexpr double mm = 1e-3;
@@ -26,7 +25,7 @@ constexpr double mm = 1e-3;
 /// A wave of the free wheelset.
 struct Wave {
     double amplitude;
-    EquivalentConicity found;
+    RadiusDifference::Conicity found;
 
     bool exists() const { return found.status == Status::ok; }
 };
@@ -40,12 +39,13 @@ const study::Sheet<Wave, double> wave_sheet{
     "",
     {{"amplitude", "amplitude of the wave, half of y_max - y_min [m]", &Wave::amplitude},
      {"tan_gamma", "equivalent conicity: tan gamma of the cone with the same wavelength, by integration of the wave",
-      if_exists(&EquivalentConicity::tan_gamma)},
+      if_exists(&RadiusDifference::Conicity::tan_gamma)},
      {"tan_gamma_linear", "equivalent conicity by harmonic linearisation",
-      if_exists(&EquivalentConicity::tan_gamma_linear)},
-     {"wavelength", "wave length [m]", if_exists(&EquivalentConicity::wavelength)},
-     {"y_min", "ends of the lateral motion of the wheelset's middle [m]", if_exists(&EquivalentConicity::y_min)},
-     {"y_max", "", if_exists(&EquivalentConicity::y_max)},
+      if_exists(&RadiusDifference::Conicity::tan_gamma_linear)},
+     {"wavelength", "wave length [m]", if_exists(&RadiusDifference::Conicity::wavelength)},
+     {"y_min", "ends of the lateral motion of the wheelset's middle [m]",
+      if_exists(&RadiusDifference::Conicity::y_min)},
+     {"y_max", "", if_exists(&RadiusDifference::Conicity::y_max)},
      {"status",
       "ok; beyond_clearance where the wave leaves the positions that both wheels reach without climbing over a flange "
       "or an end of a profile; unstable where Delta r falls, so that no wave passes the equilibrium; or why the "
@@ -55,7 +55,7 @@ const study::Sheet<Wave, double> wave_sheet{
 
 struct Radii {
     double y;
-    RollingRadii at;
+    WheelsetOnTrack::RollingRadii at;
 
     bool known() const { return at.status == Status::ok; }
 };

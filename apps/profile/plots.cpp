@@ -17,7 +17,7 @@ study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t witho
         const double sign = left ? -1 : 1;
         const auto text = [](double value, int digits) { return study::Cell(value).text(digits); };
         study::Series pressure{"", study::Look::cells}, edge{"outline", study::Look::exact};
-        const rollbem::CellGrid& grid = patch.grid;
+        const rollbem::NormalContact::Cells& grid = patch.grid;
         for (Eigen::Index i = 0; i < grid.nx; ++i) {
             for (Eigen::Index j = 0; j < grid.ny; ++j) {
                 const double p = patch.pressure(i, j);
@@ -73,7 +73,7 @@ study::Picture draw_wear(const std::vector<Worn>& bodies) {
 }
 
 study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& all) {
-    constexpr double apart = 25, room = 11;  // of the profiles, and of numbers above them [mm]
+    constexpr double apart = 25, room = 26;  // of the profiles, and of three lines of numbers above them [mm]
     study::Picture panels;
     for (const std::string side : {"left", "right"}) {
         const rollbem::WheelOnRail& wheel = wheelset.wheel(side == "left" ? Side::left : Side::right);

@@ -28,13 +28,13 @@ struct SideOptions {
     std::string source(const char* name) const { return options.given(own(name)) ? own(name) : name; }
 };
 
-rollbem::ProfileFileOptions file_options(const study::Options& options, const std::string& source) {
+rollbem::ProfileFile::Options file_options(const study::Options& options, const std::string& source) {
     std::string mirror;
     if (options.given(source + "-mirror")) mirror = options.choice(source + "-mirror", {"y", "z", "yz"});
-    rollbem::ProfileFileOptions how{.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000.0 : 1.0,
-                                    .mirror_y = mirror.find('y') != std::string::npos,
-                                    .mirror_z = mirror.find('z') != std::string::npos,
-                                    .tape_offset = options.number("tape-offset", study::finite())};
+    rollbem::ProfileFile::Options how{.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000.0 : 1.0,
+                                      .mirror_y = mirror.find('y') != std::string::npos,
+                                      .mirror_z = mirror.find('z') != std::string::npos,
+                                      .tape_offset = options.number("tape-offset", study::finite())};
     if (options.given("smooth")) how.smooth = options.number("smooth", study::between(1e-4, 0.1));
     return how;
 }
@@ -48,7 +48,7 @@ template <class Open>
 auto opened(const study::Options& options, const std::string& source, Use use, const Open& open) {
     const bool standard = is_standard(options, source, use);
     if (standard) options.ignored(source + "-mirror", "with a standard profile");
-    rollbem::ProfileFileOptions how = file_options(options, source);
+    rollbem::ProfileFile::Options how = file_options(options, source);
     if (standard) how.smooth = 0;  // the option smooths the other profile, which is from a file
     auto file = study::blame("--" + source, [&] { return open(options.text(source), how); });
     for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
@@ -78,8 +78,8 @@ std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> read_reference(c
     const bool standard = is_standard(options, name, use);
     const double offset = options.number("tape-offset", study::finite()), tape = 0.07 - offset;
     return study::blame("--" + name, [&]() -> std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> {
-        rollbem::ProfileFileOptions how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
-                                        .tape_offset = offset};
+        rollbem::ProfileFile::Options how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
+                                          .tape_offset = offset};
         const auto rail = [&] { return rollbem::open_rail(options.text(name), how, {.cant = 0}).surface; };
         const auto wheel = [&] { return rollbem::open_wheel(options.text(name), how).surface; };
         const bool changes = use == Use::wheel ? !standard && !wheel().is_round() : !standard && rail().has_sections();
@@ -145,12 +145,19 @@ std::string in_options(const study::Options& options, const SideOptions& side, s
     return options.said(blamed) + ": " + text;
 }
 
+/// Of wheels and rails in metres; of any shape all that are positive.
+study::Rule length(const study::Options& options, double low, double high) {
+    return options.flag("any-shape") ? study::positive() : study::in_unit("m", low, high);
+}
+
 rollbem::WheelOnRail read_side(const study::Options& options, const std::string& left,
                                rollbem::TrackDimensions dimensions) {
     const SideOptions side{options, left};
     const bool any_shape = options.flag("any-shape");
-    if (options.given(side.own("radius"))) dimensions.radius = options.number(side.own("radius"), study::positive());
-    rollbem::RailPlacing placing{.by_origin = dimensions.rail_origin.has_value()};
+    if (options.given(side.own("radius"))) {
+        dimensions.radius = options.number(side.own("radius"), length(options, 0.02, 5));
+    }
+    rollbem::ProfileFile::Placing placing{.by_origin = dimensions.rail_origin.has_value()};
     if (options.given("cant")) placing.cant = options.number("cant", study::between(-0.5, 0.5));
     if (options.given("roller-radius")) placing.roller_radius = options.number("roller-radius", study::positive());
     try {
@@ -195,7 +202,7 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
 
 void add_profile_options(study::Options& options) {
     options.set_help("poisson", "Poisson's ratio of wheel and rail [dimensionless], 0 to 0.5", "NU");
-    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa], above 0", "8.2e10");
+    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa], 1e7 to 1e13", "8.2e10");
     options.group("Profiles");
     options.add_input(
         "wheel",
@@ -243,7 +250,7 @@ void add_profile_options(study::Options& options) {
         .add("left-rail-mirror", "NAME",
              "coordinates that change sign in the file of --left-rail: y, z or yz; none without it")
         .only_with({"left-rail"});
-    options.add("left-radius", "R", "radius of the left wheel's tape circle [m], above 0; default: --radius");
+    options.add("left-radius", "R", "radius of the left wheel's tape circle [m], 0.02 to 5; default: --radius");
 }
 
 rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions) {
@@ -274,13 +281,14 @@ rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const roll
 
 void add_track_options(study::Options& options) {
     options.group("Track and wheelset");
-    options.add("radius", "R", "radius of the wheels' tape circle [m], above 0", "0.46");
-    options.add("gauge", "X", "distance between the rails [m], above 0", "1.435");
+    options.add("radius", "R", "radius of the wheels' tape circle [m], 0.02 to 5, or above 0 with --any-shape", "0.46");
+    options.add("gauge", "X", "distance between the rails [m], 0.1 to 5, or above 0 with --any-shape", "1.435");
     options.add(
         "gauge-depth", "X",
         "depth below the tops of the rails [m], above 0, down to which the gauge is measured where they are narrowest",
         "0.014");
-    options.add("flange-back", "X", "distance between the backs of the flanges [m]", "1.36");
+    options.add("flange-back", "X",
+                "distance between the backs of the flanges [m], 0.05 to 5, or above 0 with --any-shape", "1.36");
     options.add("tape-offset", "X",
                 "distance of the wheel profile's origin from the back of its flange [m]: 0.07 on the tape circle, 0 "
                 "for profiles measured from the back",
@@ -295,14 +303,12 @@ void add_track_options(study::Options& options) {
 }
 
 rollbem::TrackDimensions read_dimensions(const study::Options& options) {
-    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    const auto finite = [&](const char* name) { return options.number(name, study::finite()); };
-    rollbem::TrackDimensions track{.gauge = positive("gauge"),
-                                   .gauge_depth = positive("gauge-depth"),
-                                   .flange_back = finite("flange-back"),
-                                   .tape_offset = finite("tape-offset"),
-                                   .radius = positive("radius"),
-                                   .shear_modulus = positive("shear-modulus"),
+    rollbem::TrackDimensions track{.gauge = options.number("gauge", length(options, 0.1, 5)),
+                                   .gauge_depth = options.number("gauge-depth", study::positive()),
+                                   .flange_back = options.number("flange-back", length(options, 0.05, 5)),
+                                   .tape_offset = options.number("tape-offset", study::finite()),
+                                   .radius = options.number("radius", length(options, 0.02, 5)),
+                                   .shear_modulus = options.number("shear-modulus", study::shear_modulus()),
                                    .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
     if (options.given("rail-origin")) {
         const auto origin = options.pair("rail-origin");

@@ -27,14 +27,18 @@ using Use = rollbem::Profile::Use;
 
 constexpr double spacing = 2e-4, cell = 1e-4;  // of points of worn profiles, and of sums of wear [m]
 constexpr double most_searches = 1e4;
-constexpr double least_spread = 2e-3;  // along a profile [m]: places in service vary between those of a collective
+constexpr double reach = 2e-3;  // of wear along a profile [m]: places in service vary between those of a collective
 
 }  // namespace
 
-/// What the whole collective takes off a body at its points, and how far that is spread along it.
+/// What the whole collective takes off a body at its points.
 struct WearRates {
     Eigen::ArrayXd area;    ///< per length [m]
-    Eigen::ArrayXd relief;  ///< D by which pressures spread it, see State::search() [m^2]
+    Eigen::ArrayXd strain;  ///< depth over the elastic compression p b (1 - nu)/G of the patches that wear there
+
+    /// The largest share of the collective that wears off `step` at most, and less than surfaces approach elastically:
+    /// the contact lies elsewhere then, and explicit steps go to and fro.
+    double part(double step) const { return 1 / std::max(area.maxCoeff() / step, strain.maxCoeff()); }
 };
 
 /// A wheel or a rail that wears.
@@ -44,14 +48,9 @@ struct WearingBody {
     Profile before, now;
     Use use;
 
-    void wear(double part, const WearRates& rates);
+    /// Takes off this area per length [m], spread along the profile.
+    void wear(const Eigen::ArrayXd& area) { now = worn_by_area(now, spread(now, area, reach), use); }
 };
-
-/// Takes off a part of the area, spread along the profile over `least_spread`, or over what keeps a large step stable.
-void WearingBody::wear(double part, const WearRates& rates) {
-    const Eigen::ArrayXd reach = (part * rates.relief).max(least_spread * least_spread);
-    now = worn_by_area(now, spread(now, part * rates.area, reach), use);
-}
 
 /// A row: the profiles at a search.
 struct WearRow {
@@ -194,7 +193,7 @@ struct WearRun::State {
 
     /// The wheelset with the profiles as they are now, the rail where it was.
     rollbem::WheelsetOnTrack wheelset() const {
-        const rollbem::ContactGeometry& geometry = settings.wheelset.wheel(side).geometry();
+        const rollbem::WheelOnRail::Geometry& geometry = settings.wheelset.wheel(side).geometry();
         rollbem::TrackDimensions dimensions = geometry.dimensions();
         dimensions.rail_origin = geometry.rail_origin();
         const double radius = geometry.rail().roller_radius();
@@ -244,12 +243,8 @@ WearRun::State::Rates WearRun::State::search() {
             if (friction.status != rollbem::Status::ok) break;
             const rollbem::RailPatch& patch = contact.patches[i];
             const rollbem::PatchForce wear = wear_of(friction, plan.law, rolling_velocity_of(patch, speeds));
-            // A wave of length w and height h of a half-space takes the pressure E* pi h/w off its hollows, so that
-            // rates that fall with the pressure p make the wear of a step h_0 less by (2 pi/w) h_0 E*/(2 p); the half
-            // of it keeps steps stable, here by the square of 2 pi/w, as much as this for waves as long as the patch.
-            const double relief =
-                patch.half_width / (8 * std::numbers::pi * patch.peak_pressure * now.wheel(side).compliance());
-            const std::array<double, 2> factors{1, relief};
+            const std::array<double, 2> factors{
+                1, 1 / (patch.peak_pressure * patch.half_width * now.wheel(side).compliance())};
             for (std::size_t m = 0; m < factors.size(); ++m) {
                 of_wheel[m].add(patch.wheel_s, wear, factors[m] * at.distance / (2 * std::numbers::pi));
                 of_rail[m].add(patch.rail_s, wear, factors[m] * at.passages);
@@ -298,16 +293,15 @@ void WearRun::State::run(const std::function<void(double part)>& done) {
         const Rates rates = search();
         rows.push_back(row(share));
         if (!failure.empty() || share >= 1) return;
-        const double largest = std::max(rates.wheel.area.maxCoeff(), plan.rail ? rates.rail.area.maxCoeff() : 0.0),
-                     searches = largest / plan.step;
-        if (searches > most_searches) {
-            throw study::BadInput("--positions: distances and passages wear off " + study::Cell(largest).text(3) +
-                                  " m at the first rate, and must take at most 10000 searches: a larger --wear-step, "
-                                  "or shorter distances [m]");
+        double part = rates.wheel.part(plan.step);
+        if (plan.rail) part = std::min(part, rates.rail.part(plan.step));
+        if (part * most_searches < 1) {
+            throw study::BadInput("--positions: distances and passages must take at most 10000 searches, not " +
+                                  study::Cell(1 / part).text(3) + ": shorter distances [m], or a larger --wear-step");
         }
-        const double part = searches * (1 - share) > 1 + 1e-9 ? 1 / searches : 1 - share;
-        wheel.wear(part, rates.wheel);
-        if (plan.rail) rail.wear(part, rates.rail);
+        if (part > (1 - share) * (1 - 1e-9)) part = 1 - share;
+        wheel.wear(part * rates.wheel.area);
+        if (plan.rail) rail.wear(part * rates.rail.area);
         share = part < 1 - share ? share + part : 1;
         done(share);
     }

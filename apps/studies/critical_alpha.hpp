@@ -40,13 +40,13 @@ public:
 
     struct Look {
         bool unstable;           // whether a settled sign is positive
-        Scalar flattest_cosine;  // as in UnstableCount; 0 if unknown
+        Scalar flattest_cosine;  // as in StabilityResult::Count; 0 if unknown
         bool regular;            // whether G is far from singular
     };
 
     Look look(double alpha_T) const {
         const ElementSystem<Scalar> system = rolling_system(mesh_, scheme_of_(alpha_T), kernel_);
-        const UnstableCount count = count_unstable(system);
+        const StabilityResult::Count count = count_unstable(system);
         if (count.status == Status::ok && count.unstable_count == 0) {
             const Scalar rcond =
                 reciprocal_condition(Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()), one_norm(system.G()));

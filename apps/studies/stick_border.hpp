@@ -30,7 +30,7 @@
 namespace rollbem::studies {
 
 /// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element
-/// of any mesh, in case elements are needed. HertzPressure and PressureTable are such laws.
+/// of any mesh, in case elements are needed. HertzLine::Pressure and PressureTable are such laws.
 template <class Pressure, class Scalar>
 concept PressureLaw = requires(const Pressure& pressure, Scalar x_over_a, const Mesh<Scalar>& mesh) {
     { pressure(x_over_a) } -> std::convertible_to<Scalar>;

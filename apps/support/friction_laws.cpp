@@ -28,6 +28,12 @@ std::vector<std::string> friction_law_options() {
     return names;
 }
 
+std::string friction_law_flags() {
+    std::string flags;
+    for (const FrictionLawRow& row : friction_laws()) flags += (flags.empty() ? "--" : " or --") + row.option;
+    return flags;
+}
+
 void add_friction_laws(Options& options) {
     std::vector<std::string> before;
     for (const FrictionLawRow& row : friction_laws()) {

@@ -32,6 +32,8 @@ struct FrictionLawRow {
 
 const std::vector<FrictionLawRow>& friction_laws();
 std::vector<std::string> friction_law_options();
+/// The options of all laws in a sentence: --falling, or --ONE or --OTHER.
+std::string friction_law_flags();
 
 /// A law with its parameters and memory; velocities in V mu_0 p0/G, distances in a mu_0 p0/G.
 struct ChosenLaw {

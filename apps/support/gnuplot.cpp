@@ -288,7 +288,7 @@ void require_few_curves(const Plot& plot) {
 
 // A picture is one column of a page wide, 85 mm: its text is then printed in 7 points.
 constexpr double picture_width = 600, line_height = 27;
-constexpr double character = 0.6 * 18;  // of the font, as gnuplot reckons
+constexpr double character = 0.6 * 18;  // of the font
 
 /// Of the frame: marks and label of the y axis on the left; labels of curves or the bar of colours on the right.
 struct Margins {
@@ -300,8 +300,7 @@ struct Panel {
     Margins needs{};
     std::string data{}, script{};
     std::vector<std::string> commands{}, legend{};
-    double height = 0;
-    std::optional<double> above{}, frame{};  ///< of a frame to scale: the heights of what is above it, and its own
+    double above = 0, frame = 0, height = 0;  ///< of what is above the frame, of the frame, and of all
 };
 
 /// What panels know of those above: the title, the labels by their first line type, and what legends list.
@@ -450,26 +449,49 @@ void join_coinciding(Plot& plot) {
     plot.series = std::move(kept);
 }
 
-/// The notes, some a line higher, without those that would still cover one before.
-std::string notes_of(const Plot& plot) {
+/// The notes, some a line or two higher, without those that would still cover one before, or repeat it.
+std::string notes_of(const Plot& plot, double frame_height) {
     std::string script;
-    std::vector<std::pair<Point, std::size_t>> drawn;  // middles in the frame and letters
+    std::vector<std::pair<Point, std::string>> drawn;  // middles in the frame and texts
     for (const PlotNote& note : plot.notes) {
-        const std::size_t letters = shown_length(note.text);
-        for (int line = 0; line < 2; ++line) {
-            const Point at{share(plot.x, note.x), share(plot.y, note.y) + 0.09 * line};
-            const bool has_room = std::none_of(drawn.begin(), drawn.end(), [&](const auto& other) {
-                return std::abs(other.first.first - at.first) < 0.012 * double(1 + letters + other.second) &&
-                       std::abs(other.first.second - at.second) < 0.08;
+        for (int line = 0; line < 3; ++line) {
+            const Point at{share(plot.x, note.x), share(plot.y, note.y) + (0.9 + line) * line_height / frame_height};
+            const auto is_beside = [&](const auto& other) {
+                const auto letters = double(shown_length(note.text) + shown_length(other.second));
+                return std::abs(other.first.first - at.first) < 0.004 + 0.0115 * letters;
+            };
+            const bool repeats = std::any_of(drawn.begin(), drawn.end(), [&](const auto& other) {
+                return other.second == note.text && is_beside(other);
             });
+            const bool has_room = std::none_of(drawn.begin(), drawn.end(), [&](const auto& other) {
+                return is_beside(other) && std::abs(other.first.second - at.second) < 0.8 * line_height / frame_height;
+            });
+            if (repeats) break;
             if (!has_room || !is_in_frame(at.first) || !is_in_frame(at.second)) continue;
-            drawn.emplace_back(at, letters);
+            drawn.emplace_back(at, note.text);
             script += "set label " + quoted(note.text) + " at first " + Cell(note.x).text(6) + ", first " +
-                      Cell(note.y).text(6) + " center offset 0," + (line == 0 ? "0.9" : "1.9") + "\n";
+                      Cell(note.y).text(6) + " center offset 0," + Cell(0.9 + line).text(2) + "\n";
             break;
         }
     }
     return script;
+}
+
+/// The commands for a legend below a frame with margins, its rows, and entries that are wider than the frame further
+/// to the left.
+std::string legend_of(const Panel& panel, const Margins& margins, double below_frame, std::size_t& rows) {
+    constexpr double letter = 0.7 * 18, sample = 6.1 * letter;  // as gnuplot reckons when it counts columns
+    rows = 0;
+    if (panel.legend.empty()) return "";
+    const double frame_width = picture_width - margins.left - margins.right,
+                 entry = longest(panel.legend) / character * letter + sample;
+    const auto columns = std::size_t(std::max(std::floor(frame_width / entry), 1.0));
+    rows = (panel.legend.size() + columns - 1) / columns;
+    const double wide = longest(panel.legend) + sample;
+    const std::string looks = " Left reverse samplen 3 height 0.5\n";
+    if (wide <= frame_width + margins.right) return "set key on below left horizontal" + looks;
+    return "set key on at screen " + Cell(std::max(picture_width - wide, 0.0) / picture_width).text(4) + ", graph " +
+           Cell(-below_frame / panel.frame).text(4) + " left top vertical maxcols 1" + looks;
 }
 
 /// The height of a frame: as usual, or to scale what its ranges ask for.
@@ -502,7 +524,8 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
     Panel panel{.script = settle("x", plot.x, plot, &Point::first)};
     panel.script += settle("y", plot.y, plot, &Point::second);
     join_coinciding(plot);
-    panel.script += notes_of(plot);
+    panel.frame = frame_height(plot, picture_width - margins.left - margins.right);
+    panel.script += notes_of(plot, panel.frame);
     std::size_t hidden = 0;
     panel.script += arrows_to_hidden(plot, hidden);
     const bool only_legend = hidden > 0 || !below.empty() || plot.shares_legend;
@@ -522,16 +545,11 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
     panel.needs = {48 + character * mark_length(plot), !plot.colours.empty() ? 110
                                                        : ends.empty()        ? 25
                                                                              : longest(texts) + 20};
-    const double frame_width = picture_width - margins.left - margins.right,
-                 entry = longest(panel.legend) + 7 * character;
-    const double columns = std::max(std::floor(frame_width / entry), 1.0);
-    const double rows = std::ceil(double(panel.legend.size()) / columns);
-    if (plot.to_scale) {
-        panel.above = 45 + line_height * double(lines.size());
-        panel.frame = frame_height(plot, frame_width);
-    }
-    panel.height = frame_height(plot, frame_width) + (title.empty() ? 97 : 124) +
-                   line_height * (double(lines.size()) + rows + (rows > 0 ? 0.5 : 0));
+    constexpr double marks_and_label = 79;  // below the frame
+    std::size_t rows = 0;
+    const std::string legend_commands = legend_of(panel, margins, marks_and_label - 4, rows);
+    panel.above = title.empty() ? 18 : 45 + line_height * double(lines.size());
+    panel.height = panel.above + panel.frame + marks_and_label + line_height * (double(rows) + (rows > 0 ? 0.5 : 0));
     for (std::string& line : lines) line = quoted(line);
     panel.script += "set title " + (title.empty() ? "''" : join(lines, ".\"\\n\".")) + "\nset xlabel " +
                     quoted(plot.x.label) + " offset 0,0.6\nset cblabel " + quoted(plot.colours) +
@@ -539,7 +557,7 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
                     " center rotate at screen 0.035, graph 0.5\nset lmargin at screen " +
                     Cell(margins.left / picture_width).text(6) + "\nset rmargin at screen " +
                     Cell(1 - margins.right / picture_width).text(6) + "\n" + (plot.to_scale ? to_scale(plot) : "") +
-                    (rows > 0 ? "set key on below left horizontal Left reverse samplen 3 height 0.5\n" : "");
+                    legend_commands;
     return panel;
 }
 
@@ -582,8 +600,7 @@ std::string gnuplot_script(const Picture& picture, bool png) {
                    Cell((top + panel.height - below_top) / height).text(6) + "\n";
         };
         script +=
-            std::string(frame) +
-            (panel.frame ? at_screen("tmargin", *panel.above) + at_screen("bmargin", *panel.above + *panel.frame) : "");
+            std::string(frame) + at_screen("tmargin", panel.above) + at_screen("bmargin", panel.above + panel.frame);
         script += "set size 1," + Cell(panel.height / height).text(6) + "\nset origin 0," + Cell(top / height).text(6) +
                   "\n" + panel.script + panel.data + "plot " + join(panel.commands, ", ") + "\n";
     }

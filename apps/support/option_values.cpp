@@ -67,6 +67,14 @@ Rule between(double low, double high) {
     return {[=](double value) { return value >= low && value <= high; }, text.str()};
 }
 
+Rule in_unit(const std::string& unit, double low, double high) {
+    std::ostringstream text;
+    text << "be in " << unit << ", " << low << " to " << high;
+    return {between(low, high).holds, text.str()};
+}
+
+Rule shear_modulus() { return in_unit("Pa", 1e7, 1e13); }
+
 Rule finite() {
     return {[](double value) { return std::isfinite(value); }, "be finite"};
 }

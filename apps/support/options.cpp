@@ -24,7 +24,7 @@ namespace {
 
 std::vector<std::string> grading_options() {
     std::vector<std::string> names;
-    for (const rollbem::GradingInfo& known : rollbem::gradings) names.push_back(option_of(known.name));
+    for (const rollbem::TopologyInfo::Grading& known : rollbem::gradings) names.push_back(option_of(known.name));
     return names;
 }
 
@@ -82,7 +82,7 @@ Options::Options(std::string program, const std::string& purpose)
     add_input("edges",
               "file of the elements' edges x/a [dimensionless], ascending from -1 to 1, one per line, in place of "
               "--mesh and --n");
-    for (const rollbem::GradingInfo& grading : rollbem::gradings) {
+    for (const rollbem::TopologyInfo::Grading& grading : rollbem::gradings) {
         std::vector<std::string> meshes;
         for (const rollbem::TopologyInfo& known : rollbem::topologies) {
             if (known.grading == grading.name) meshes.push_back(std::string("mesh=") + known.name);

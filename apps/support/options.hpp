@@ -77,6 +77,9 @@ struct Rule {
 };
 
 Rule between(double low, double high);
+/// Values that can be meant in this unit, where one in another unit would lie outside.
+Rule in_unit(const std::string& unit, double low, double high);
+Rule shear_modulus();  ///< [Pa]
 Rule finite();
 Rule positive();
 Rule not_negative();

@@ -9,10 +9,20 @@
 namespace study {
 
 std::string shown_name(const std::string& column) {
-    static const std::map<std::string, std::string> names{
-        {"alpha_L", "α_L"},          {"alpha_T", "α_T"},      {"lambda", "λ"},    {"epsilon", "ε"},
-        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},       {"poisson", "ν"},   {"lateral_ratio", "δ_y"},
-        {"spin_ratio", "δ_φ"},       {"creepage_ratio", "δ"}, {"a_over_b", "a/b"}};
+    static const std::map<std::string, std::string> names{{"alpha_L", "α_L"},
+                                                          {"alpha_T", "α_T"},
+                                                          {"lambda", "λ"},
+                                                          {"epsilon", "ε"},
+                                                          {"size_ratio", "dx_T/dx_L"},
+                                                          {"aspect", "b/a"},
+                                                          {"poisson", "ν"},
+                                                          {"lateral_ratio", "δ_y"},
+                                                          {"spin_ratio", "δ_φ"},
+                                                          {"creepage_ratio", "δ"},
+                                                          {"a_over_b", "a/b"},
+                                                          {"longitudinal", "ξ"},
+                                                          {"lateral", "η"},
+                                                          {"spin", "φ c"}};
     const auto found = names.find(column);
     return found == names.end() ? column : found->second;
 }
@@ -39,14 +49,19 @@ std::string in_words(const std::string& name, const std::string& value) {
     return found == column->second.end() ? value : found->second;
 }
 
-/// ", name = value", or what speaks for itself.
-std::string property(const std::string& name, const std::string& value) {
-    if (value.empty()) return "";
+/// Adds ", name = value", or what speaks for itself; to the elements of a strip the number of strips.
+void add_property(std::string& text, const std::string& name, const std::string& value) {
+    if (value.empty()) return;
+    const std::size_t n = text.rfind(", n = ");
+    if (name == "strips" && n != std::string::npos && text.find(',', n + 1) == std::string::npos) {
+        text.replace(n, 6, ", ").append(" × " + value + " elements");
+        return;
+    }
     const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos && name != "aspect";
-    return ", " + (name == "kernel"       ? value + " kernel"
-                   : name == "quadrature" ? "quadrature " + value
-                   : speaks               ? in_words(name, value)
-                                          : shown_name(name) + " = " + value);
+    text += ", " + (name == "kernel"       ? value + " kernel"
+                    : name == "quadrature" ? "quadrature " + value
+                    : speaks               ? in_words(name, value)
+                                           : shown_name(name) + " = " + value);
 }
 
 }  // namespace
@@ -76,8 +91,8 @@ void add_series(Plot& plot, const Records& records, const Selection& selection) 
     for (std::size_t i = 0; i < names.size() && !keys.empty(); ++i) {
         const bool shared =
             std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
-        if (shared && plot.series.empty()) plot.title += property(names[i], keys[0][i]);
-        for (std::size_t k = 0; k < keys.size() && !shared; ++k) labels[k] += property(names[i], keys[k][i]);
+        if (shared && plot.series.empty()) add_property(plot.title, names[i], keys[0][i]);
+        for (std::size_t k = 0; k < keys.size() && !shared; ++k) add_property(labels[k], names[i], keys[k][i]);
     }
     for (std::size_t k = 0; k < series.size(); ++k) {
         std::string label = selection.prefix + labels[k];

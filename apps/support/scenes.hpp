@@ -56,7 +56,7 @@ Cell scene_cell(const Scene& scene, const std::string& column);
 /// The columns that tell scenes apart behind the others, separated by commas; the gradings' names are among them.
 inline const std::string distinctions = [] {
     std::string names = "kernel,aspect,poisson";
-    for (const rollbem::GradingInfo& grading : rollbem::gradings) names += std::string(",") + grading.name;
+    for (const rollbem::TopologyInfo::Grading& grading : rollbem::gradings) names += std::string(",") + grading.name;
     return names + ",quadrature,nodes";
 }();
 

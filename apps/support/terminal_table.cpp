@@ -30,6 +30,12 @@ bool is_time(const Heading& heading) { return heading.name.ends_with("_us"); }
 
 constexpr int digits = 6;
 
+/// Texts wider than this give way to results.
+constexpr std::size_t wide_text = 40;
+
+/// The results that a reader needs first.
+bool is_judgement(const Heading& heading) { return heading.name == "status" || heading.name == "verdict"; }
+
 }  // namespace
 
 Heading heading_of(const std::string& text) {
@@ -73,8 +79,8 @@ std::vector<std::size_t> TerminalTable::shown(std::size_t width) const {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
         if (!is_shown(i)) continue;
         columns.push_back(i);
-        used += (widths[i] = lines_of(i).front().size() + 2);
-        if (!headings_[i].of_case && headings_[i].name != "status") droppable.insert(droppable.begin(), i);
+        used += (widths[i] = std::min(lines_of(i).front().size(), wide_text) + 2);
+        if (!headings_[i].of_case && !is_judgement(headings_[i])) droppable.insert(droppable.begin(), i);
     }
     std::stable_partition(droppable.begin(), droppable.end(), [&](std::size_t i) { return is_time(headings_[i]); });
     for (std::size_t k = 0; k + 1 < droppable.size() && used > width + 2; ++k) {
@@ -85,8 +91,8 @@ std::vector<std::size_t> TerminalTable::shown(std::size_t width) const {
 }
 
 /// The column's name, its unit, and its cells, filled up with blanks to one width; numbers have their points below one
-/// another.
-std::vector<std::string> TerminalTable::lines_of(std::size_t column) const {
+/// another, and texts wider than `widest` end with dots.
+std::vector<std::string> TerminalTable::lines_of(std::size_t column, std::size_t widest) const {
     std::vector<std::string> lines{headings_[column].name, headings_[column].unit};
     std::size_t before = 0, behind = 0;
     const auto point = [](const std::string& text) { return std::min(text.find_first_of(".e"), text.size()); };
@@ -98,7 +104,11 @@ std::vector<std::string> TerminalTable::lines_of(std::size_t column) const {
     }
     for (const Row& row : rows_) {
         std::string text = row[column].text(digits);
-        if (row[column].number()) text.append(behind - (text.size() - point(text)), ' ');
+        if (row[column].number()) {
+            text.append(behind - (text.size() - point(text)), ' ');
+        } else if (text.size() > widest) {
+            text.replace(widest - 3, std::string::npos, "...");
+        }
         lines.push_back(std::move(text));
     }
     std::size_t width = 0;
@@ -119,10 +129,17 @@ std::string TerminalTable::rest(std::size_t columns) const {
 std::string TerminalTable::text(std::size_t width) const {
     const std::vector<std::size_t> columns = shown(width);
     std::vector<std::string> lines(rows_.size() + 2);
+    std::size_t used = 0, most = 0;
+    for (const std::size_t column : columns) {
+        const std::size_t wide = lines_of(column).front().size();
+        used += wide + (used > 0 ? 2 : 0);
+        most = std::max(most, wide);
+    }
+    const std::size_t widest = used > width && most > used - width + 8 ? most - (used - width) : most;
     bool has_units = false;
     for (const std::size_t column : columns) {
         has_units = has_units || !headings_[column].unit.empty();
-        const std::vector<std::string> cells = lines_of(column);
+        const std::vector<std::string> cells = lines_of(column, widest);
         for (std::size_t k = 0; k < lines.size(); ++k) lines[k] += (lines[k].empty() ? "" : "  ") + cells[k];
     }
     std::string text;

@@ -44,7 +44,7 @@ public:
     void add(const Row& row);
 
     /// The first rows below their columns, and a line that counts all others. No more columns than are `width` wide,
-    /// unless the case varies so many.
+    /// unless the case varies so many; the widest texts end with dots where they would not fit.
     std::string text(std::size_t width) const;
 
     /// The first rows as blocks, lengths in millimetres and pressures in megapascals.
@@ -54,7 +54,7 @@ private:
     /// The places of the columns to show.
     std::vector<std::size_t> shown(std::size_t width) const;
     bool is_shown(std::size_t column) const;
-    std::vector<std::string> lines_of(std::size_t column) const;
+    std::vector<std::string> lines_of(std::size_t column, std::size_t widest = std::string::npos) const;
     std::string quantity(const Row& row, std::size_t column) const;
     std::string rest(std::size_t columns) const;
 

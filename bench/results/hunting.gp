@@ -1,6 +1,7 @@
 set terminal svg size 600,760 enhanced font 'sans-serif,18' background '#ffffff'
 set multiplot layout 2,1
 set grid
+set lmargin at screen 0.17  # equal widths
 set xlabel 'amplitude [mm]'
 set ylabel 'equivalent conicity'
 set yrange [0:0.5]

@@ -13,9 +13,9 @@ template void PartialPivLU<Ref<MatrixXcd>>::compute();
 }  // namespace Eigen
 
 namespace rollbem {
-template ChebyshevSystem<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
-template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(const Chebyshev&, const PlaneKernel<double>&);
-template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&, const StripKernel<double>&);
+template Chebyshev::System<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
+template Chebyshev::System<double> rolling_system<PlaneKernel<double>>(const Chebyshev&, const PlaneKernel<double>&);
+template Chebyshev::System<double> rolling_system<StripKernel<double>>(const Chebyshev&, const StripKernel<double>&);
 template decltype(detail::factorise<std::complex<double>, double>) detail::factorise<std::complex<double>, double>;
 template decltype(detail::judge<std::complex<double>, double>) detail::judge<std::complex<double>, double>;
 template decltype(detail::solve_copied<std::complex<double>, double>)

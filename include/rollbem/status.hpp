@@ -49,7 +49,7 @@ enum class Status {
     load_not_reached,   ///< no height was found at which the contact carries the load
     not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down
                     ///< by cancellation; other meshes of a long patch give other coefficients
-    few_cells,      ///< fewer than 7 cells touch: the grid is too coarse
+    few_cells,      ///< pressures need smaller cells, or fewer than 7 cells touch
     not_finite,     ///< an input or a result is NaN or infinite
 };
 

@@ -115,8 +115,8 @@ double harmonic_error(const Recommended& best, const AnyKernel<double>& own, con
 // The force at q/a = dq, 2 dq, ... after a step of creepage, without the error of an integrator.
 std::vector<double> step_forces(double aspect, double nu, const RollingSystem<double>& system, double dq, int count) {
     const AdhesionModel<> model(Contact::dimensionless(aspect, nu), system, unchecked, Integrator::matrix_exponential);
-    AdhesionWorkspace<> workspace = model.workspace();
-    AdhesionState state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
     std::vector<double> forces;
     for (int k = 0; k < count; ++k) {
         forces.push_back(-model.advance(state, {dq, 1.0}, next, workspace).force_per_width);
@@ -219,7 +219,7 @@ TEST_CASE("Elements recommended for a time loop stay below their error bound", "
             const auto best = recommended_elements(tolerance, Purpose::time_loop);
             CHECK(best.order == 0);
             const ElementSystem<double> system = rolling_system(best.mesh(best.n), best.scheme, own);
-            const UnstableCount count = count_unstable(system);
+            const StabilityResult::Count count = count_unstable(system);
             CHECK(count.status == Status::ok);
             CHECK(count.unstable_count == 0);
             check_promise(best, tolerance, tolerance > 0.05 ? 1e3 : 3, step_error(aspect, nu, system, 0.05, exact));
@@ -348,11 +348,11 @@ std::vector<double> exact_friction(const Scene& scene, const std::vector<double>
     std::vector<double> exact;
     for (const double ratio : ratios) {
         const double creepage = 2 * (1 - scene.nu) * peak * ratio;
-        exact.push_back(scene.is_strip()
-                            ? -studies::solve_stick_border(contact, scene.kernel(), 1.0, HertzPressure{peak}, creepage)
-                                      .force_per_width /
-                                  full
-                            : carter_force_ratio(ratio));
+        exact.push_back(scene.is_strip() ? -studies::solve_stick_border(contact, scene.kernel(), 1.0,
+                                                                        HertzLine::Pressure{peak}, creepage)
+                                                   .force_per_width /
+                                               full
+                                         : carter_force_ratio(ratio));
     }
     return exact;
 }

@@ -56,7 +56,7 @@ std::vector<TangentialForce> step_response(const AdhesionModel<2>& model, const 
     std::vector<TangentialForce> forces;
     int done = 0;
     for (const double distance : distances) {
-        AdhesionStep<2> step;
+        AdhesionModel<2>::Step step;
         for (; done < std::lround(distance / dq); ++done) {
             step = model.advance(now, {dq, creepage}, next, workspace);
             REQUIRE(step.status == Status::ok);

@@ -151,7 +151,7 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
     int settled = 0, unstable = 0;
     const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
-        const UnstableCount count = count_unstable(system);
+        const StabilityResult::Count count = count_unstable(system);
         const StabilityResult result = judge_stability(system);
         CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, result.uncertain_count);
         CHECK(count.n == mesh.size());
@@ -178,7 +178,8 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
 }
 
 TEST_CASE("The fast count reports a G' that is nearly singular", "[stability]") {
-    const UnstableCount count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
+    const StabilityResult::Count count =
+        count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     CHECK_FALSE(StabilityVerdict{}.stable());
@@ -270,14 +271,15 @@ TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stabi
 }
 
 TEST_CASE("The fast count does not take a neutral mode for an unstable one", "[stability]") {
-    const UnstableCount count = count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
+    const StabilityResult::Count count =
+        count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
     CHECK(count.status == Status::ok);
     CHECK(count.unstable_count == 0);
 }
 
 TEST_CASE("The fast count detects two equal equations", "[stability]") {
-    const UnstableCount count = count_unstable(system_of(Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
-                                                         Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
+    const StabilityResult::Count count = count_unstable(system_of(
+        Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}}, Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
     CHECK(count.rcond == 0);
     CHECK(count.status == Status::ill_conditioned);
 }

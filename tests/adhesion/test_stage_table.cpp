@@ -57,7 +57,7 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
 TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") {
     const AdhesionModel<> euler(contact, along, judge_stability(along), Integrator::implicit_euler);
     auto workspace = euler.workspace();
-    AdhesionState from = euler.steady(3e-4), half = from, to = from;
+    AdhesionModel<>::State from = euler.steady(3e-4), half = from, to = from;
     const double xi = GENERATE(1e-3, -2e-3);
     for (const double a_3 : {a, 1.05 * a}) {
         const double a_2 = (a + a_3) / 2;

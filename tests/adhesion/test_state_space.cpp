@@ -65,7 +65,7 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     const Contact contact({.half_length = 6e-3, .half_width = 60e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const double speed = 30, creepage = 1e-4;
     const auto kernel = StripKernel<double>::longitudinal(contact);
-    const ChebyshevSystem<double> system = rolling_system(Chebyshev{12}, kernel);
+    const Chebyshev::System<double> system = rolling_system(Chebyshev{12}, kernel);
     const StateSpace space = in_si(state_space(system), contact, speed);
     // steady: 2b times -a G c11 xi
     const double c11 = solve_steady(Chebyshev{12}, kernel).c11();
@@ -77,15 +77,15 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
                          solve_response(system, {0, s.imag() * 6e-3 / speed}).c11() / c11) < 1e-12);
     // after 0.4 ms
     const AdhesionModel<> model(contact, system, unchecked, Integrator::matrix_exponential);
-    AdhesionState state = model.at_rest(), next = state;
-    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionModel<>::State state = model.at_rest(), next = state;
+    AdhesionModel<>::Workspace workspace = model.workspace();
     const double force = model.advance(state, {speed * 4e-4, creepage}, next, workspace).force;
     CHECK(std::abs(stepped(space, 4e-4, 2000) * creepage / force - 1) < 1e-9);
     CHECK(force < 0);
 }
 
 TEST_CASE("A state space of Chebyshev states needs no inverse", "[state_space]") {
-    const ChebyshevSystem<double> system = rolling_system(Chebyshev{10}, StripKernel<double>(1, 0.75, 0.25));
+    const Chebyshev::System<double> system = rolling_system(Chebyshev{10}, StripKernel<double>(1, 0.75, 0.25));
     const StateSpace direct = state_space(system),
                      inverted = state_space(static_cast<const RollingSystem<double>&>(system));
     const double tolerance = 1000 * std::numeric_limits<double>::epsilon();

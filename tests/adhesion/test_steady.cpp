@@ -344,7 +344,7 @@ TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[
     CHECK(solve_steady<double>(identity, ArrayX<double>::Ones(2)).status == Status::assists_creepage);
     CHECK(solve_steady(RollingSystem<double>(identity, identity, ArrayX<double>::Ones(2))).status == Status::ok);
 
-    const ChebyshevSystem<double> states = rolling_system(Chebyshev{12}, kernel);
+    const Chebyshev::System<double> states = rolling_system(Chebyshev{12}, kernel);
     const Response<double> solution = solve_steady(states);
     CHECK(solution.status == Status::ok);
     CHECK(std::abs(solution.c11() / steady_c11(0.25) - 1) < 1e-13);

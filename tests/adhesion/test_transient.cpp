@@ -41,17 +41,17 @@ Model plane_model(Eigen::Index n, Integrator integrator) {
 }
 
 /// -F_bar / (a G) in the units of plane_contact.
-double response(const AdhesionStep<>& step) {
+double response(const AdhesionModel<>::Step& step) {
     REQUIRE(step.status == Status::ok);
     return -step.force_per_width;
 }
 
 /// Steps of one size through a history: motion(k) is the motion in step k = 0, 1, ...
 template <class MotionOf>
-AdhesionStep<> run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
+AdhesionModel<>::Step run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
     Model::Workspace workspace = model.workspace();
     Model::State next = state;
-    AdhesionStep<> step;
+    AdhesionModel<>::Step step;
     for (int k = 0; k < steps; ++k) {
         step = model.advance(state, {dq, motion(k)}, next, workspace);
         REQUIRE(step.status == Status::ok);
@@ -219,13 +219,13 @@ TEST_CASE("Steps by the map and by stages follow the exact response", "[transien
         const AdhesionModel<1> model(
             contact, rolling_system(cosine_mesh<double>(20), halves, PlaneKernel<double>::longitudinal(contact)),
             unchecked, integrator);
-        AdhesionWorkspace<1> workspace = model.workspace();
-        AdhesionState state = model.at_rest(), next = state;
-        AdhesionStep<1> step;
+        AdhesionModel<1>::Workspace workspace = model.workspace();
+        AdhesionModel<>::State state = model.at_rest(), next = state;
+        AdhesionModel<1>::Step step;
         for (int k = 0; k < 32; ++k) {
             step = model.advance(state, {0.0625, 1.0}, next, workspace);
             REQUIRE(step.status == Status::ok);
-            AdhesionState other = state;
+            AdhesionModel<>::State other = state;
             state.distance = 0;
             const double by_stages = model.advance(state, {0.0625, 1.0}, other, workspace).force;
             CHECK(std::abs(by_stages / step.force - 1) < 1000 * std::numeric_limits<double>::epsilon());
@@ -244,7 +244,7 @@ TEST_CASE("Invalid input to a step gives a status and leaves the target state un
     const Model::State mark{VectorX<double>::Constant(10, 7.0), model.fingerprint(), 1};
     Model::Workspace workspace = model.workspace();
     Model::State to = mark;
-    const auto refused = [&](const AdhesionStep<>& step, Status status) {
+    const auto refused = [&](const AdhesionModel<>::Step& step, Status status) {
         CHECK(step.status == status);
         CHECK(detail::is_nan(step.force));
         CHECK(detail::is_nan(step.tangent));

@@ -206,8 +206,8 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const Eigen::Index n : {1, 2, 40, 128}) {
             const AdhesionModel<> model = make_model(n, integrator);
-            AdhesionWorkspace<> workspace = model.workspace();
-            AdhesionState now = model.at_rest(), next = now;
+            AdhesionModel<>::Workspace workspace = model.workspace();
+            AdhesionModel<>::State now = model.at_rest(), next = now;
             bool ok = true, refused = true;
             const long before = allocations;
             for (int k = 1; k <= 20; ++k) {
@@ -285,17 +285,17 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(0.3);
     const PatchShapes<double> shapes(5, 5, scheme, kernel, {.least = 0.5, .largest = 2, .factor = 1.5});
-    const auto breathing = HertzPatchLoad::breathing(ellipse, contact, mesh),
-               fixed = HertzPatchLoad::fixed(ellipse, contact, mesh);
+    const auto breathing = HertzEllipse::Load::breathing(ellipse, contact, mesh),
+               fixed = HertzEllipse::Load::fixed(ellipse, contact, mesh);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const bool moves : {true, false}) {
-            const HertzPatchLoad& hertz = moves ? breathing : fixed;
+            const HertzEllipse::Load& hertz = moves ? breathing : fixed;
             NormalLoad load = hertz.at(1e4);
             const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
                                       unchecked, {0.3, load.normal_pressure}, integrator);
             const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
             FrictionState now = model.at_rest(), next = now;
-            AdhesionState stuck = adhesion.at_rest(), stuck_next = stuck;
+            AdhesionModel<2>::State stuck = adhesion.at_rest(), stuck_next = stuck;
             auto workspace = model.workspace();
             auto stuck_workspace = adhesion.workspace();
             bool ok = true;
@@ -363,7 +363,7 @@ TEST_CASE("A look-up in a table of creep forces does not allocate") {
     double sum = 0;
     const long before = allocations;
     for (int k = 0; k < 100; ++k) {
-        const TabulatedForce at = table.look_up(contact, 0.3, 8e4, {1e-4 * k, 2e-5 * (k - 50), 0.01 * k});
+        const CreepForceTable::Force at = table.look_up(contact, 0.3, 8e4, {1e-4 * k, 2e-5 * (k - 50), 0.01 * k});
         sum += at.force.lateral + at.tangent.by_spin.moment;
     }
     CHECK(allocations == before);

@@ -44,7 +44,7 @@ Contact unit_contact(double aspect) { return Contact::dimensionless(aspect, nu);
 ElementSystem<double> elements(Eigen::Index n, double aspect) {
     return rolling_system(cosine_mesh<double>(n), halves, plane(aspect));
 }
-ChebyshevSystem<double> states(Eigen::Index m, double aspect) {
+Chebyshev::System<double> states(Eigen::Index m, double aspect) {
     return rolling_system(Chebyshev{.states = m}, plane(aspect));
 }
 
@@ -56,7 +56,7 @@ std::vector<double> series(const Model& model, const Sine& a, double q_0, double
     Model::Workspace workspace = model.workspace();
     std::vector<double> forces;
     for (int k = 1; k <= steps; ++k) {
-        const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(q_0 + k * dq)}, next, workspace);
+        const AdhesionModel<>::Step step = model.advance(now, {dq, 1.0, a(q_0 + k * dq)}, next, workspace);
         REQUIRE(step.status == Status::ok);
         forces.push_back(-step.force_per_width);
         std::swap(now, next);
@@ -100,7 +100,7 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
     const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
     const ElementSystem<double> of_elements = elements(20, 100);
     const ElementSystem<double> of_nodes = rolling_system(cosine_mesh(20), NodeDifference{}, plane(100));
-    const ChebyshevSystem<double> of_states = states(9, 100);
+    const Chebyshev::System<double> of_states = states(9, 100);
     for (const RollingSystem<double>* system :
          {static_cast<const RollingSystem<double>*>(&of_elements), static_cast<const RollingSystem<double>*>(&of_nodes),
           static_cast<const RollingSystem<double>*>(&of_states)}) {
@@ -118,7 +118,8 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                          {std::tuple(Motion(2e-3), 4e-4, 4e-4), std::tuple(Motion::shift(4e-4 * a_0), 4e-4, 4e-4),
                           std::tuple(Motion::linear(1e-3, 4e-3), 0.2 * (1e-3 + 3e-3 * g), 8e-4)}) {
                         const double dq = 0.2, a_new = a_old + da;
-                        const AdhesionStep<> step = model.advance(from, {dq * a_0, motion, a_new * a_0}, to, workspace);
+                        const AdhesionModel<>::Step step =
+                            model.advance(from, {dq * a_0, motion, a_new * a_0}, to, workspace);
                         REQUIRE(step.status == Status::ok);
                         const VectorXd expected =
                             integrator == Integrator::sdirk2
@@ -187,7 +188,7 @@ TEST_CASE("The tangents by motion and by half-length are derivatives of the forc
             const double dq = 0.3 * a_0, h = 1e-5 * a_0;
             for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
                 const auto force = [&](const Motion& motion, double half_length) {
-                    const AdhesionStep<> step = model.advance(from, {dq, motion, half_length}, to, workspace);
+                    const AdhesionModel<>::Step step = model.advance(from, {dq, motion, half_length}, to, workspace);
                     REQUIRE(step.status == Status::ok);
                     return step.force;
                 };
@@ -221,7 +222,7 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
     const Sine a{0.3, 6};
     const double c1 = 1 - nu;
     const auto residual = [&](Eigen::Index m, int steps) {
-        const ChebyshevSystem<double> system = states(m, 100);
+        const Chebyshev::System<double> system = states(m, 100);
         const Model model(unit_contact(100), system, unchecked);
         const auto energy = [&](const Model::State& state) {
             const VectorXd p = system.traction<double>(state.traction).coefficients;
@@ -242,7 +243,7 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
         const double dq = 6.0 / steps, start = energy(now);
         double work = 0, released = 0, force = model.force(now) / 200, rate = release(now, 0);
         for (int k = 1; k <= steps; ++k) {
-            const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(k * dq)}, next, workspace);
+            const AdhesionModel<>::Step step = model.advance(now, {dq, 1.0, a(k * dq)}, next, workspace);
             REQUIRE(step.status == Status::ok);
             const double next_rate = release(next, k * dq);
             work -= dq * (force + step.force_per_width) / 2;
@@ -269,7 +270,7 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         Model::State from = model.steady(1), to = model.at_rest();
         to.traction.setConstant(7);
         to.half_length = 11;
-        const AdhesionStep<> step = ask(model, from, to);
+        const AdhesionModel<>::Step step = ask(model, from, to);
         CAPTURE(name(step.status), name(expected));
         CHECK(step.status == expected);
         CHECK(detail::is_nan(step.force));
@@ -349,7 +350,7 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         const Model::State from = model.steady(1);
         Model::State to = from, other = from;
         Model::Workspace workspace = model.workspace();
-        const AdhesionStep<> step = model.advance(from, {0.1, 0.5, 1.0}, to, workspace);
+        const AdhesionModel<>::Step step = model.advance(from, {0.1, 0.5, 1.0}, to, workspace);
         CHECK(step.status == Status::ok);
         CHECK(step.force == model.advance(from, {0.1, 0.5}, other, workspace).force);
         CHECK(to.traction == other.traction);

@@ -41,7 +41,7 @@ const PatchContact patch({.half_length = a, .half_width = b, .shear_modulus = G,
 
 Forces vector(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
-Eigen::Matrix3d matrix(const CreepageTangent& tangent) {
+Eigen::Matrix3d matrix(const TangentialForce::ByCreepage& tangent) {
     Eigen::Matrix3d result;
     result << vector(tangent.by_longitudinal), vector(tangent.by_lateral), vector(tangent.by_spin);
     return result;
@@ -83,10 +83,10 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
         const AdhesionModel<> first(contact, along, unchecked, integrator),
             second(contact, across, unchecked, integrator);
         Model::State now = both.at_rest(), next = now;
-        AdhesionState first_now = first.at_rest(), first_next = first_now;
-        AdhesionState second_now = second.at_rest(), second_next = second_now;
+        AdhesionModel<>::State first_now = first.at_rest(), first_next = first_now;
+        AdhesionModel<>::State second_now = second.at_rest(), second_next = second_now;
         Model::Workspace workspace = both.workspace();
-        AdhesionWorkspace<> first_workspace = first.workspace(), second_workspace = second.workspace();
+        AdhesionModel<>::Workspace first_workspace = first.workspace(), second_workspace = second.workspace();
         for (int k = 0; k < 12; ++k) {
             const double dq = (k < 6 ? 0.3 : 0.1) * a;
             const auto value = [&](int at) { return Creepage{1e-3 * at, 5e-4 * std::sin(at), 0}; };
@@ -94,11 +94,11 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
                 using One = RigidMotion<decltype(pick(value(0)))>;
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
             };
-            const AdhesionStep<2> step =
+            const AdhesionModel<2>::Step step =
                 both.advance(now, {dq, motion([](const auto& all) { return all; })}, next, workspace);
-            const AdhesionStep<> x = first.advance(
+            const AdhesionModel<>::Step x = first.advance(
                 first_now, {dq, motion([](const auto& all) { return all.longitudinal; })}, first_next, first_workspace);
-            const AdhesionStep<> y = second.advance(
+            const AdhesionModel<>::Step y = second.advance(
                 second_now, {dq, motion([](const auto& all) { return all.lateral; })}, second_next, second_workspace);
             REQUIRE(step.status == Status::ok);
             CAPTURE(name(integrator), k);
@@ -138,7 +138,7 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
         for (const Motion& motion :
              {Motion(end), Motion::linear({1, 2, 3}, end),
               Motion::shift({dq * a * end.longitudinal, dq * a * end.lateral, dq * a * end.spin})}) {
-            const AdhesionStep<2> step = model.advance(from, {dq * a, motion}, to, workspace);
+            const AdhesionModel<2>::Step step = model.advance(from, {dq * a, motion}, to, workspace);
             REQUIRE(step.status == Status::ok);
             CAPTURE(before, vector(step.force), force);
             CHECK((to.traction / G - expected).norm() < 1e-12 * expected.norm());
@@ -166,8 +166,9 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
                 for (const auto& motion : {+[](const Creepage& end) { return Motion(end); },
                                            +[](const Creepage& end) { return Motion::linear({}, end); },
                                            +[](const Creepage& end) { return Motion::shift(end); }}) {
-                    const AdhesionStep<2> low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
-                    const AdhesionStep<2> high = model.advance(from, {dq, motion(value(j, size))}, to, workspace);
+                    const AdhesionModel<2>::Step low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
+                    const AdhesionModel<2>::Step high =
+                        model.advance(from, {dq, motion(value(j, size))}, to, workspace);
                     const Forces slope = (vector(high.force) - vector(low.force)) / size;
                     const Forces tangent = matrix(high.tangent).col(j);
                     CAPTURE(name(integrator), before, j);
@@ -196,8 +197,8 @@ TEST_CASE("The result of a step depends on state and arguments alone, to the las
         }
         if (k % 4 == 0) model.advance(now, {0.25 * a, value}, next, used);
         Model::Workspace fresh = model.workspace();
-        const AdhesionStep<2> expected = model.advance(now, {dq, value}, other, fresh);
-        const AdhesionStep<2> found = model.advance(now, {dq, value}, next, used);
+        const AdhesionModel<2>::Step expected = model.advance(now, {dq, value}, other, fresh);
+        const AdhesionModel<2>::Step found = model.advance(now, {dq, value}, next, used);
         REQUIRE(found.status == Status::ok);
         CHECK(vector(found.force) == vector(expected.force));
         CHECK(matrix(found.tangent) == matrix(expected.tangent));

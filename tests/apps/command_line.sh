@@ -80,7 +80,7 @@ while command -v script >/dev/null && read -r command; do
     done
     on_terminal $command >table
     awk -v rows="$(($(wc -l <out) - 1))" '
-        /,.*,/ || length > 80 { bad = 1 }
+        /[^ ],[^ ]/ || length > 80 { bad = 1 }
         END { exit bad || NR < 3 || !/more (column|row)s?(, [0-9]+ more columns?)? in CSV: --output FILE$/ ||
             (rows > 40) != /^[0-9]+ more rows?[ ,]/ || rows > 40 && $1 != rows - 40 }' table ||
         fail "$command on a terminal: $(cat table)"
@@ -94,6 +94,7 @@ friction_study --n 10 --creepage-ratio 0.5,0.6 --no-timing
 patch_study --n 4 --longitudinal 0.1 --no-timing
 precision_study --n 4,6 --quantity c11 --no-timing
 profile_study --shift 0,0.001 --no-timing
+extremes_study --patches 3
 COMMANDS
 if command -v script >/dev/null; then
     on_terminal profile_study --shift 0.0055 --friction 0.3 >table

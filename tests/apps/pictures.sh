@@ -1,6 +1,7 @@
 #!/bin/sh
 # The pictures of the studies, as SVG: curves, names of axes and curves, and ticks.
 # Usage: pictures.sh FOLDER-OF-PROGRAMS
+root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$(dirname "$0")/functions.sh"
 command -v gnuplot >/dev/null || { echo "no gnuplot: nothing to check"; exit 0; }
 PATH=$programs:$PATH
@@ -17,6 +18,11 @@ title() { tr '\n' ' ' <words | grep -qF -e "$1" || fail "no title '$1' in: $(tr 
 hides() { for text; do ! grep -qF -e "$text" words || fail "'$text' in: $(tr '\n' ';' <words)"; done; }
 count() { [ "$(grep -c "$2" p.svg)" -eq "$1" ] || fail "$(grep -c "$2" p.svg), not $1, $2: $(tr '\n' ';' <words)"; }
 curves() { count "$1" 'id="gnuplot_plot_'; }
+# place TEXT: x and y of the first text like this
+place() {
+    awk -v text=">$1<" 'match($0, /translate\([0-9.]*,[0-9.]*/) { at = substr($0, RSTART + 10, RLENGTH - 10) }
+        index($0, text) && at { sub(",", " ", at); print at; exit }' p.svg
+}
 legend() { grep -A4 'id="gnuplot_plot_' p.svg | grep -q '<text'; }
 
 # ticks at the numbers of elements, as many as there is room for, on short logarithmic axes, and none at measured times
@@ -150,13 +156,25 @@ hides above ×10 # rounding is not drawn as a force
 shows 'ξ G a b / (μ N)' '-Mz / (μ N c)'
 draws "$@" --longitudinal 0.1 --transient --dq 0.5 --until 2 --load-sine 0.5,8
 shows '-Fx / (μ N0)' '-Mz / (μ N0 c0)' 'load N/N0' 'distance rolled q/a'
+title 'Patch in time, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0 in μ N / (G a b)'
 draws patch_study --n 3 --strips 16 --strip-grading uniform --a-over-b 1,10 --poisson 0.5 --stability
 title '; modes grow in 1 of 2'
-# pictures to scale are no higher than their content asks for
+# an extrapolated force serves for comparison; long labels of a legend end within the picture
+draws precision_study --front "$root/bench/results/patch_force.csv"
+title 'patch force; front without extrapolated schemes'
+place richardson:cosine:nodes-chebyshev:cosine-strips | awk '{ exit !(NF == 2 && $1 + 47 * 9.5 < 600) }' ||
+    fail "a legend that ends at the frame: $(place richardson:cosine:nodes-chebyshev:cosine-strips)"
+# pictures to scale are no higher than their content asks for; each shift has its number, the legend is below the axis
+draws profile_study --shift 0,0.001,0.002,0.003,0.004,0.005,0.006,0.007,0.008 --side both --no-timing
+for shift in 0 1 2 3 4 5 6 7 8; do
+    [ "$(grep -cx "$shift" words)" -ge 2 ] || fail "shift $shift at the contact points: $(cat words)"
+done
+{ place "y from the rail's origin, field side to the right [mm]" && place rail; } |
+    awk 'NR == 1 { axis = $2 } END { exit !(NR == 2 && $2 - axis > 18) }' || fail "the legend is on the axis"
 draws profile_study --shift -0.002,0.004 --side both --no-timing
 [ "$(grep -cx -e -2 words)" -eq 2 ] && [ "$(grep -cx 4 words)" -eq 2 ] || fail "shifts at contact points: $(cat words)"
 title 'Where the right wheel, lifted by 25 mm, touches the rail; numbers: lateral shift [mm]'
-sed -n 's/.*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' p.svg | awk '{ exit !($2 > 1.2 * $1 && $2 < 1.5 * $1) }' ||
+sed -n 's/.*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' p.svg | awk '{ exit !($2 > 1.2 * $1 && $2 < 1.7 * $1) }' ||
     fail "$(grep viewBox p.svg)"
 
 finish

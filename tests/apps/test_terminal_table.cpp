@@ -71,6 +71,14 @@ TEST_CASE("On a narrow terminal times are left out first, then results from the 
     CHECK(head(1) == "n  first  status");
 }
 
+TEST_CASE("On a narrow terminal a long text is cut, and a verdict stays", "[terminal]") {
+    const std::vector<Heading> headings{{"case"}, {"value"}, {"verdict"}, {"told"}, {"status"}};
+    const std::string name(70, 'x'), told(200, 'y');
+    const std::string text = shown(headings, {{name, 0.5, "told", told, "not_converged"}}, 60);
+    CHECK(text.substr(0, text.find("\nx")) == "case" + std::string(34, ' ') + "verdict  status");
+    CHECK(text.find("\n" + std::string(33, 'x') + "...  told     not_converged\n") != std::string::npos);
+}
+
 TEST_CASE("A list of schemes is told by their words alone, other lists by the columns that vary", "[terminal]") {
     const std::vector<Heading> headings{
         {"mesh", "", true}, {"n", "", true}, {"alpha_T", "", true}, {"c11"}, {"scheme", "", true}};

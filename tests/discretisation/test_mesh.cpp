@@ -34,28 +34,14 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to round-off", "[mesh]", 
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
-        const auto meshes = brute_force::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
-        const auto large = [&]() -> std::vector<brute_force::NamedMesh<Scalar>> {
-            if (n <= 1000) return meshes;
-            return {{"uniform", uniform_mesh<Scalar>(n)},
-                    {"geometric 5", geometric_mesh<Scalar>(n, Scalar(5))},
-                    {"knothe", knothe_mesh<Scalar>(n, Scalar(0.25))},
-                    {"modified knothe", modified_knothe_mesh<Scalar>(n, Scalar(0.375))},
-                    {"cosine", cosine_mesh<Scalar>(n)}};
-        }();
-        const auto exact = [&]() -> std::vector<brute_force::NamedMesh<Real>> {
-            if (n <= 1000) return brute_force::every_mesh<Real>(n);
-            return {{"uniform", uniform_mesh<Real>(n)},
-                    {"geometric 5", geometric_mesh<Real>(n, Real(5))},
-                    {"knothe", knothe_mesh<Real>(n, Real(0.25))},
-                    {"modified knothe", modified_knothe_mesh<Real>(n, Real(0.375))},
-                    {"cosine", cosine_mesh<Real>(n)}};
-        }();
-        REQUIRE(large.size() == exact.size());
-        for (std::size_t i = 0; i < large.size(); ++i) {
-            const Mesh<Scalar>& mesh = large[i].mesh;
+        const auto meshes =
+            n <= 1000 ? brute_force::every_mesh<Scalar>(n) : brute_force::mesh_of_every_topology<Scalar>(n);
+        const auto exact = n <= 1000 ? brute_force::every_mesh<Real>(n) : brute_force::mesh_of_every_topology<Real>(n);
+        REQUIRE(meshes.size() == exact.size());
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const Mesh<Scalar>& mesh = meshes[i].mesh;
             const Mesh<Real>& fine = exact[i].mesh;
-            CAPTURE(n, large[i].name);
+            CAPTURE(n, meshes[i].name);
             REQUIRE(mesh.size() == n);
             // all arrays against long double, with relative accuracy even next to an edge of the contact
             CHECK(in_eps(mesh.widths(), fine.widths()) < 40);

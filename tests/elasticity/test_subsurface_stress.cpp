@@ -83,12 +83,12 @@ TEST_CASE("Stresses are the tractions just below the surface, and the stresses o
 }
 
 TEST_CASE("Hertz's contacts yield where textbooks say", "[subsurface]") {
-    const SubsurfacePeak round = subsurface_peak(sphere(80), 0.3, {0, 0}, 2);
+    const Yield::Peak round = subsurface_peak(sphere(80), 0.3, {0, 0}, 2);
     CHECK(round.largest.tresca == Approx(0.310).margin(1e-3));
     CHECK(round.tresca_depth == Approx(0.481).margin(2e-3));
     CHECK(round.largest.von_mises == Approx(2 * round.largest.tresca).epsilon(1e-6));  // sigma_xx = sigma_yy
     CHECK(subsurface_stress(sphere(80), 0.3, {1e-6, 1e-6, 1e-3})(0, 0) == Approx(-0.8).margin(5e-3));
-    const SubsurfacePeak flat = subsurface_peak(line(200), 0.3, {0, 0}, 3);
+    const Yield::Peak flat = subsurface_peak(line(200), 0.3, {0, 0}, 3);
     CHECK(flat.largest.tresca == Approx(0.3003).margin(2e-4));
     CHECK(flat.tresca_depth == Approx(0.7862).margin(1e-3));
 }

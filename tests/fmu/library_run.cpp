@@ -19,7 +19,7 @@
 namespace {
 
 using rollbem::Status;
-using Hertz = rollbem::HertzPatchLoad;
+using Hertz = rollbem::HertzEllipse::Load;
 using Model = rollbem::FrictionModel;
 
 constexpr double poisson_ratio = 0.28, friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;

@@ -171,7 +171,7 @@ inline Motion shift(double ratio, double degrees = 0) {  // by `ratio` times wha
 
 inline Eigen::Vector2d vector(const TangentialForce& force) { return {force.longitudinal, force.lateral}; }
 inline Eigen::Vector2d vector(const Creepage& value) { return {value.longitudinal, value.lateral}; }
-inline Eigen::Matrix2d matrix(const CreepageTangent& tangent) {
+inline Eigen::Matrix2d matrix(const TangentialForce::ByCreepage& tangent) {
     Eigen::Matrix2d columns;
     columns << vector(tangent.by_longitudinal), vector(tangent.by_lateral);
     return columns;

@@ -22,7 +22,7 @@ inline bool same(const rollbem::TangentialForce& one, const rollbem::TangentialF
     return same(one.longitudinal, other.longitudinal) && same(one.lateral, other.lateral) &&
            same(one.moment, other.moment);
 }
-inline bool same(const rollbem::CreepageTangent& one, const rollbem::CreepageTangent& other) {
+inline bool same(const rollbem::TangentialForce::ByCreepage& one, const rollbem::TangentialForce::ByCreepage& other) {
     return same(one.by_longitudinal, other.by_longitudinal) && same(one.by_lateral, other.by_lateral) &&
            same(one.by_spin, other.by_spin);
 }

@@ -71,7 +71,9 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
         const Eigen::Index n = points.size();
         const ArrayX<double> widths = unknown_widths(mesh, scheme);
         const Values values = Values::in_one_strip(widths, points);
-        const detail::SlipWork slip_work(widths, values);
+        Elements<double> elements = Elements<double>::unplaced(widths);
+        elements.x = points;
+        const detail::SlipWork slip_work(elements, false);
         const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(mesh.size(), i);

@@ -119,6 +119,31 @@ TEST_CASE("With creepage along one of them, two directions are one", "[friction]
     }
 }
 
+TEST_CASE("A steady solution stays in time, and its slip and heat are those of the distance rolled", "[friction]") {
+    for (Setup setup : every_setup_in_time(0)) {
+        for (const bool turned : {false, true}) {
+            setup.turned = turned;
+            INFO(words(setup));
+            Ride ride(setup);
+            for (const double ratio : {0.4, 3.0}) {
+                CAPTURE(turned, ratio);
+                ride.now = ride.model.at_rest();
+                const Step steady = ride.steady(creepage(ratio, 20));
+                REQUIRE(steady.status == Status::ok);
+                const ElementVectors slip = ride.own.slip(), traction = ride.now.traction;
+                const VectorX<double> heat = ride.own.slip_work();
+                const double way = 0.07 * a;
+                const Step step = ride.step(0.07, creepage(ratio, 20));
+                REQUIRE(step.status == Status::ok);
+                CHECK((ride.now.traction - traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
+                CHECK((ride.own.slip() - way * slip).cwiseAbs().maxCoeff() < 1e-9 * way * sliding);
+                CHECK((ride.own.slip_work() - way * heat).cwiseAbs().maxCoeff() < 1e-9 * way * heat.maxCoeff());
+                CHECK(step.slip_work == Approx(way * steady.slip_work).epsilon(1e-9));
+            }
+        }
+    }
+}
+
 TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[friction]") {
     for (Setup setup : every_setup_in_time(5e-6)) {
         if (setup.directions == 1) continue;

@@ -42,18 +42,18 @@ struct LoadScene {
     Contact contact;  // with the half-length that the mesh is made for
     Mesh<double> mesh;
     PlaneKernel<double> kernel;
-    HertzLoad hertz;
+    HertzLine::Load hertz;
     Collocation scheme = half;
     double mu = 1;
 
     static LoadScene breathing(Mesh<double> mesh, double half_width = 1000, double half_length = 1) {
         const Contact contact = contact_of(half_length, half_width);
-        const HertzLoad hertz = HertzLoad::breathing(unit_line(), mesh);
+        const HertzLine::Load hertz = HertzLine::Load::breathing(unit_line(), mesh);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
     static LoadScene fixed(Mesh<double> mesh, double half_length = 1.25, double half_width = 1000) {
         const Contact contact = contact_of(half_length, half_width);
-        const HertzLoad hertz = HertzLoad::fixed(unit_line(), mesh, half_length);
+        const HertzLine::Load hertz = HertzLine::Load::fixed(unit_line(), mesh, half_length);
         return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
     static Contact contact_of(double half_length, double half_width) {

@@ -43,8 +43,8 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
             const FrictionModel model = grippy.transient(integrator), slippery = scene.transient(integrator);
             FrictionState now = model.at_rest(), next = now, small_now = slippery.at_rest(), small_next = small_now;
             FrictionWorkspace workspace = model.workspace(), small_workspace = slippery.workspace();
-            AdhesionState linear_now = full_adhesion.at_rest(), linear_next = linear_now;
-            AdhesionWorkspace<> linear_workspace = full_adhesion.workspace();
+            AdhesionModel<>::State linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            AdhesionModel<>::Workspace linear_workspace = full_adhesion.workspace();
             using LinearMotion = RigidMotion<double>;
             for (int step = 1; step <= 20; ++step) {
                 const double xi = 0.1 * std::sin(0.3 * step), dq = step % 4 == 0 ? 0.5 : 0.2;
@@ -57,7 +57,7 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
                 const LinearMotion linear_motion = step % 3 == 0   ? LinearMotion(xi)
                                                    : step % 3 == 1 ? LinearMotion::linear(0.02, xi)
                                                                    : LinearMotion::shift(xi);
-                const AdhesionStep<> expected =
+                const AdhesionModel<>::Step expected =
                     full_adhesion.advance(linear_now, {dq, linear_motion}, linear_next, linear_workspace);
                 const FrictionStep rolled = model.advance(now, {dq, motion(1)}, next, workspace);
                 slippery.advance(small_now, {dq, motion(1e-8)}, small_next, small_workspace);

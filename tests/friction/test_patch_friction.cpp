@@ -178,7 +178,7 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
     };
     for (const auto& [tolerance, spin] : {std::pair{0.1, any}, {0.02, any}, {0.05, 0.0}, {0.01, 0.0}, {0.03, 0.4}}) {
         CAPTURE(tolerance, spin);
-        const RecommendedPatch best = recommended_patch(tolerance, 1, spin);
+        const auto best = recommended_patch(tolerance, 1, spin);
         const Scene scene = recommended(1, best.n);
         CHECK((best.mesh(scene.contact).upper() == scene.mesh.upper()).all());
         const auto model = scene.steady();
@@ -208,7 +208,7 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
     for (const auto& [a_over_b, tolerance, c11, c22, c23] :
          {std::tuple{0.25, 0.05, 3.52, 2.72, 0.68}, {3.0, 0.06, 6.15, 6.1, 3.9}, {20.0, 0.1, 18.8, 21.8, 34.2}}) {
         CAPTURE(a_over_b);
-        const RecommendedPatch best = recommended_patch(tolerance, a_over_b);
+        const auto best = recommended_patch(tolerance, a_over_b);
         const Scene coarse = recommended(a_over_b, best.n), fine = recommended(a_over_b, 2 * best.n);
         const auto coarse_model = coarse.steady(), fine_model = fine.steady();
         const double unit = 3.0 / 250;

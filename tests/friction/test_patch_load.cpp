@@ -431,7 +431,7 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
     const PatchContact contact = largest.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 7, 8);
     const ArrayX<double> areas = patch_elements(mesh, chebyshev).areas;  // in a^2
-    using Hertz = HertzPatchLoad;
+    using Hertz = HertzEllipse::Load;
     for (const Hertz& hertz : {Hertz::breathing(largest, contact, mesh), Hertz::fixed(largest, contact, mesh)}) {
         CAPTURE(hertz.breathes());
         NormalLoad load = hertz.at(N_0), more = load, less = load;
@@ -494,7 +494,7 @@ TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three eleme
         CAPTURE(along, across);
         const PatchMesh<double> mesh = patch_mesh(contact, uniform_mesh(along), uniform_mesh(across));
         const double part = std::min(3.0 / std::min(along, std::max(across, 3)), 1.0);  // both axes shrink alike
-        const auto hertz = HertzPatchLoad::fixed(largest, contact, mesh);
+        const auto hertz = HertzEllipse::Load::fixed(largest, contact, mesh);
         NormalLoad load = hertz.at(N_0);
         CHECK(hertz.set(N_0, load) == Status::ok);
         CHECK(hertz.set(0, load) == Status::ok);

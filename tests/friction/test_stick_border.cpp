@@ -57,7 +57,7 @@ struct AnyPressure {
 
 static_assert(PressureLaw<PressureTable, double>);
 
-const HertzPressure hertz{peak};
+const HertzLine::Pressure hertz{peak};
 const AnyPressure any_hertz(hertz);
 
 struct Plane {
@@ -166,9 +166,9 @@ TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") 
     CHECK(slippery.border == 1);
     CHECK(std::isnan(plane.solve(hertz, 0.5).traction(1.1)));
     CHECK_THROWS_AS(plane.solve(hertz, 0.5, 0), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure{-1}, 0.5), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure{0}, 0.5), std::invalid_argument);
-    CHECK_THROWS_AS(plane.solve(HertzPressure{nan}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzLine::Pressure{-1}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzLine::Pressure{0}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzLine::Pressure{nan}, 0.5), std::invalid_argument);
     CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
 }
 

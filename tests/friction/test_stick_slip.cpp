@@ -1,5 +1,4 @@
-// rollbem/friction/detail/stick_slip.hpp, homotopy.hpp, condensed_slip.hpp, nested_stick.hpp,
-// slip_direction_system.hpp, slip_rotation.hpp
+// rollbem/friction/detail/stick_slip.hpp, homotopy.hpp, condensed_slip.hpp, nested_stick.hpp, slip_rotation.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -286,6 +285,37 @@ TEMPLATE_TEST_CASE_SIG("What a solver has solved before changes no bit of its re
     }
     CAPTURE(repeated, stopped);
     CHECK((directions == 2 || (repeated > 200 && stopped > 200)));
+}
+
+// Each pivot is sound, but the inverse of the triangle grows tenfold from element to element.
+TEST_CASE("Elements that stick do so to rounding though their equations are ill-conditioned", "[friction]") {
+    drawn::Draw draw(2);
+    int repeated = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        const Eigen::Index n = 7 + trial % 3;
+        Problem<1> problem{false, MatrixX<double>::Identity(n, n), VectorX<double>::Zero(n),
+                           VectorX<double>::Constant(n, 2)};
+        for (Eigen::Index i = 0; i < n; ++i) problem.matrix.row(i).tail(n - 1 - i).setConstant(-9.5);
+        Problem<1>::Solver solver(n);
+        problem.put_into(solver);
+        if (trial % 2 == 1) {  // from a solution without such an error
+            solver.problem.constant[0][0] = 1;
+            solver.solve(problem.bound, problem.constant, all_stick(n));
+            REQUIRE(solver.solution.at_once);
+            repeated += 1;
+        }
+        const VectorX<double> expected = VectorX<double>::NullaryExpr(n, [&] { return draw.uniform(-1, 1); });
+        problem.constant = -dense::product(problem.matrix, expected);
+        solver.problem.constant[0] = problem.constant;
+        const auto& outcome = solver.solve(problem.bound, VectorX<double>::Zero(n), all_stick(n));
+        CAPTURE(trial, n, outcome.rounds, outcome.residual);
+        REQUIRE(outcome.status == Status::ok);
+        REQUIRE(outcome.stick_count == n);
+        REQUIRE(outcome.rounds > 1);  // one step is not enough
+        REQUIRE(problem.slip(outcome.traction()).cwiseAbs().maxCoeff() <
+                1e-13 * problem.constant.cwiseAbs().maxCoeff());
+    }
+    CHECK(repeated == 20);
 }
 
 TEST_CASE("What cannot be solved is said, and stays within the bounds", "[friction]") {

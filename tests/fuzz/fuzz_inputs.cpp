@@ -94,7 +94,7 @@ void take_friction(const std::vector<std::string>& words) {
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
     const study::Run run = study::read_run(options, friction::history_columns);
     if (!run.load_varies()) return;
-    const rollbem::HertzLoad hertz = friction::hertz_load(run, mesh);
+    const rollbem::HertzLine::Load hertz = friction::hertz_load(run, mesh);
     rollbem::NormalLoad load = hertz.at(friction::mu_N);
     const double stride = std::max(run.steps.dq, run.until() / 50);
     for (double q = 0; q < run.until(); q += stride) {

@@ -13,6 +13,7 @@
 
 #include <rollbem/normal/detail/patch_shape.hpp>
 #include <rollbem/normal/detail/region_solver.hpp>
+#include <rollbem/normal/detail/sufficient_cells.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
@@ -68,7 +69,7 @@ const WheelOnRail& s1002_on_uic60_in_slices() {
 constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
 
 constexpr detail::ContactSettings coarse_cells{
-    .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
+    .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true, .halves_cells = false};
 
 const ElasticBody& steel() {
     static const ElasticBody of{2 * 8.2e10 * 1.28, 0.28};
@@ -144,7 +145,7 @@ TEST_CASE("contact_search: the back of a flange at a guard rail with a vertical 
     WheelOnRail::Workspace workspace;
     // turned, so that the back touches on its rim
     const WheelsetPosition at{.lateral = -8.2e-3, .height = 1e-4, .yaw = 0.01};
-    const auto contact = wheel.solve_at_height(at, workspace, {});
+    const auto contact = wheel.solve_at_height(at, workspace, {.cells_x = 60});
     CAPTURE(name(contact.status), contact.patches.size());
     REQUIRE(has_numbers(contact.status));
     REQUIRE(contact.patches.size() >= 2);
@@ -227,7 +228,7 @@ TEST_CASE("contact_search: a steep side of a wheel that yaws touches far from th
 }
 
 TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, with their slopes", "[profiles]") {
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     for (int k = -8; k <= 8; ++k) {
         const double u = 0.1 * k;
         list.push_back(
@@ -236,11 +237,11 @@ TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, w
     const WheelsetPosition at{.lateral = 3e-3, .roll = 0.02, .yaw = 0.2, .pitch = 0.15};
     for (const WheelSurface& surface :
          {WheelSurface(list[0].profile), WheelSurface(Sections(list, Sections::Interpolation::through))}) {
-        const PlacedWheel placed(surface, 0.75, 0.46, at);
+        const WheelSurface::Placed placed(surface, 0.75, 0.46, at);
         for (const double ahead : {-0.08, 0.01, 0.12}) {
             const double x = placed.middle_x() + ahead, s = 0.05, h = 1e-6;
-            const CurvePoint p = placed.section(s, x), before = placed.section(s - h, x),
-                             after = placed.section(s + h, x);
+            const RailSurface::Point p = placed.section(s, x), before = placed.section(s - h, x),
+                                     after = placed.section(s + h, x);
             CAPTURE(surface.is_round(), ahead);
             CHECK(p.slope[0] == Approx((after.y - before.y) / (2 * h)).margin(1e-8));
             CHECK(p.slope[1] == Approx((after.z - before.z) / (2 * h)).margin(1e-8));
@@ -260,7 +261,7 @@ TEST_CASE("contact_search: curves of a roller lie on its turned surface, with th
     const RailSurface rail = RailSurface::roller(arc, 0.4);
     for (const double x : {-0.15, 0.02, 0.1}) {
         const double s = 0.01, h = 1e-6;
-        const CurvePoint p = rail.at(s, x), before = rail.at(s - h, x), after = rail.at(s + h, x);
+        const RailSurface::Point p = rail.at(s, x), before = rail.at(s - h, x), after = rail.at(s + h, x);
         CAPTURE(x);
         CHECK(p.y == arc.at(s).y);
         CHECK(std::hypot(x, 0.4 - p.z) == Approx(0.4 - arc.at(s).z).epsilon(1e-14));
@@ -321,7 +322,7 @@ TEST_CASE("contact_search: a contact goes on from one part of a rail to the next
     REQUIRE(same.status == Status::ok);
     const auto solved = [&](double middle, double beside, double along) {
         const double missing = beside > 0 ? beside : -1;
-        std::vector<Section> list;
+        std::vector<Sections::Section> list;
         for (const double u : {-0.3, -0.2, 0.1, 0.2, 0.3}) {
             list.push_back({u, arc, {0, u == 0.2 ? missing : 0.01, middle, 0.07, 1}});
         }
@@ -346,7 +347,7 @@ TEST_CASE("contact_search: a contact goes on from one part of a rail to the next
 
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
     constexpr double half = 0.05, r = 0.46;  // of the flat's angle
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (int k = -40; k <= 40; ++k) {
         const double angle = 2 * half * k / 40,
                      z = std::abs(angle) < half ? r * (std::cos(half) / std::cos(angle) - 1) : 0;
@@ -358,7 +359,8 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     WheelOnRail::Workspace workspace;
     const auto on_chord = wheel.solve_for_load({}, 1e4, workspace);
     REQUIRE(has_numbers(on_chord.status));
-    CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).epsilon(0.05));
+    // the cubics between sections round the ends of the chord
+    CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).margin(1.5e-3));
     CHECK(on_chord.height - on_chord.patches[0].approach == Approx(r * (1 - std::cos(half))).margin(3e-6));
     // the same after a turn, and half a turn of pitch away it is round
     const auto turned = wheel.solve_for_load({.pitch = 2 * pi}, 1e4, workspace);
@@ -376,7 +378,7 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
 }
 
 TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope equals the ramp's", "[profiles]") {
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (const double u : {-0.3, -0.1, 0.0, 0.2, 0.3}) {
         sections.push_back({u, piece(-0.03, 0.03, 201, [u](double y) { return crown(y, 0.3) - 0.1 * u; })});
     }
@@ -516,7 +518,8 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     const WheelsetPosition at{.height = 1e-4};
     // all of it in one plane
     const double angle = std::atan(-0.466 / 2), dx = 4e-4, ds = 2e-4;
-    const CellGrid grid{.nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
+    const NormalContact::Cells grid{
+        .nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
     const auto n_at = [&](const auto& z, double s) {
         double low = -0.03, high = 0.03;
         for (int k = 0; k < 50; ++k) {
@@ -582,6 +585,96 @@ TEST_CASE("contact_search: cells become smaller where too few touch, for a load 
         REQUIRE(contact.patches.size() == 1);
         CHECK(contact.patches[0].grid.dx == 2.5e-3);
     }
+}
+
+TEST_CASE("contact_search: cells become smaller where halves of them would change pressures", "[profiles]") {
+    // a crown with ends, where pressures rise, and shoulders that 20 cells do not see
+    const Profile plateau = piece(
+        -0.03, 0.03, 6001, [](double y) { return std::abs(y) < 0.008 ? 0 : 20 * std::pow(std::abs(y) - 0.008, 2); });
+    const Profile shoulders =
+        piece(-0.03, 0.03, 6001, [](double y) { return 0.4 * y * y + 8e-6 * std::cos(2 * pi * y / 0.004); });
+    const WheelOnRail::Options given{.cells_x = 40, .cells_s = 20, .halves_cells = false},
+        fine{.cells_x = 40, .cells_s = 320, .halves_cells = false};
+    WheelOnRail::Workspace workspace;
+    for (const Profile* rail : {&plateau, &shoulders}) {
+        const WheelOnRail wheel(cylinder(), *rail, above);
+        const auto found = wheel.solve_for_load({}, 4e4, workspace),
+                   coarse = wheel.solve_for_load({}, 4e4, workspace, given),
+                   expected = wheel.solve_for_load({}, 4e4, workspace, fine),
+                   at_height = wheel.solve_at_height({.height = expected.height}, workspace, {});
+        CAPTURE(rail == &plateau, name(found.status), name(expected.status), name(at_height.status));
+        REQUIRE(has_numbers(found.status));
+        REQUIRE(has_numbers(expected.status));
+        REQUIRE(has_numbers(at_height.status));
+        const auto peak = [](const WheelOnRail::Contact& of) { return of.patches.at(0).peak_pressure; };
+        if (rail == &plateau) CHECK(std::abs(peak(coarse) / peak(expected) - 1) > 0.05);
+        CHECK(peak(found) == Approx(peak(expected)).epsilon(0.05));
+        CHECK(peak(at_height) == Approx(peak(expected)).epsilon(0.05));
+        CHECK(found.patches[0].approach == Approx(expected.patches[0].approach).epsilon(0.005));
+        CHECK(at_height.patches[0].load == Approx(expected.patches[0].load).epsilon(0.005));
+        CHECK(found.patches[0].grid.ny > 20);
+        CHECK(found.patches[0].grid.nx == 40);
+        CHECK(coarse.patches[0].grid.nx == 40);
+    }
+    // pressures over a sharp edge grow with every halving
+    const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
+    const WheelOnRail at_edge(cylinder(), edge, above);
+    CHECK(at_edge.solve_for_load({}, 4e4, workspace).status == Status::few_cells);
+    CHECK(has_numbers(at_edge.solve_for_load({}, 4e4, workspace, given).status));
+}
+
+TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {
+    const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
+    TrackDimensions soft = above;
+    soft.shear_modulus /= 2;
+    const Profile crowned = piece(-0.05, 0.05, 401, [](double y) { return y * y / 0.6; });
+    const WheelOnRail at_edge(cylinder(), edge, above), wheel(cylinder(), crowned, above),
+        softer(cylinder(), crowned, soft);
+    WheelOnRail::Workspace used;
+    CHECK(at_edge.solve_for_load({}, 4e4, used).status == Status::few_cells);
+    for (const WheelOnRail* of : {&wheel, &softer, &wheel}) {
+        WheelOnRail::Workspace fresh;
+        const auto expected = of->solve_at_height({.height = 6e-5}, fresh, {}),
+                   found = of->solve_at_height({.height = 6e-5}, used, {});
+        REQUIRE(found.status == Status::ok);
+        CHECK((found.patches.at(0).pressure == expected.patches.at(0).pressure).all());
+    }
+}
+
+TEST_CASE("contact_search: waves between the centres of cells count by the pressures that they can raise",
+          "[profiles]") {
+    constexpr double distance = 1e-4, compliance = 1e-11;
+    constexpr Eigen::Index count = 20, parts = detail::WavesMissed::parts;
+    const Eigen::ArrayXd place = Eigen::ArrayXd::LinSpaced(parts * (count - 1) + 1, 0, count - 1),
+                         pressure = Eigen::ArrayXd::Constant(count, 1e9);
+    const auto missed = [&](const Eigen::ArrayXd& h) {
+        return detail::WavesMissed{h, pressure, distance, compliance}.raise_peak();
+    };
+    // full contact of waves whose length is twice the distance of centres: pi E* A/L
+    const Eigen::ArrayXd wave = (pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi;
+    CHECK(missed(1.01 * wave));
+    CHECK_FALSE(missed(0.99 * wave));
+    CHECK_FALSE(missed((place / 10 - 1).cube()));
+    // waves beside pressures do not count
+    Eigen::ArrayXd beside = wave;
+    beside.head(parts * (count - 3)).setZero();
+    Eigen::ArrayXd with_end = pressure;
+    with_end.tail(4).setZero();
+    CHECK_FALSE(detail::WavesMissed{2 * beside, with_end, distance, compliance}.raise_peak());
+}
+
+TEST_CASE("contact_search: a patch without an outline asks for cells in the direction with fewer", "[profiles]") {
+    const NormalContact::Cells grid{.nx = 20, .ny = 20, .x_0 = 0, .y_0 = 0, .dx = 1, .dy = 1};
+    const auto wanted = [&](Eigen::Index in_x, Eigen::Index in_s, double negligible) {
+        Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(20, 20);
+        p.block(3, 4, in_x, in_s).setOnes();
+        const detail::CellDoubling of = detail::doubling_for_outlines(grid, p, negligible);
+        return std::pair(of.x, of.s);
+    };
+    CHECK(wanted(12, 2, 0) == std::pair(false, true));
+    CHECK(wanted(2, 2, 0) == std::pair(true, true));
+    CHECK(wanted(2, 2, 5) == std::pair(false, false));
+    CHECK(wanted(12, 12, 0) == std::pair(false, false));
 }
 
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {
@@ -662,7 +755,7 @@ TEST_CASE("contact_search: what is not finite or too deep has its status", "[pro
 }
 
 TEST_CASE("contact_search: along a rail whose crown becomes sharp, a plane becomes doubtful", "[profiles]") {
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     for (const double u : {-0.6, -0.5, -0.4, -0.3, 0.3, 0.4, 0.5, 0.6}) {
         const double R = u < 0 ? 0.1 : 0.004;
         sections.push_back({u, piece(-0.0038, 0.0038, 201, [R](double y) { return crown(y, R); })});

@@ -102,7 +102,7 @@ TEST_CASE("Hertz's contact combines bodies with extreme Poisson's ratios", "[her
 TEST_CASE("Hertz's pressure at a point follows the semi-ellipse", "[hertz]") {
     const ElasticBody steel{2e11, 0.28};
     const HertzLine hertz({.load_per_width = 1e6, .combined_radius = 0.5, .body_1 = steel, .body_2 = steel});
-    const HertzPressure pressure = hertz.pressure();
+    const HertzLine::Pressure pressure = hertz.pressure();
     CHECK(pressure(0.0) == hertz.peak_pressure());
     CHECK(pressure(-0.6) == Approx(0.8 * hertz.peak_pressure()).epsilon(1e-15));
     CHECK(pressure(1.0) == 0);

@@ -185,8 +185,8 @@ TEST_CASE("Bodies may be turned, exchanged and flattened", "[hertz]") {
 }
 
 // n x m equal rectangles over the box of half-sides a and b
-std::vector<Rectangle<double>> grid(double a, double b, int n, int m) {
-    std::vector<Rectangle<double>> elements;
+std::vector<PatchMesh<double>::Rectangle> grid(double a, double b, int n, int m) {
+    std::vector<PatchMesh<double>::Rectangle> elements;
     for (int j = 0; j < m; ++j) {
         for (int i = 0; i < n; ++i) {
             elements.push_back({a * (2.0 * i / n - 1), a * (2.0 * (i + 1) / n - 1), b * (2.0 * j / m - 1),
@@ -201,7 +201,7 @@ TEST_CASE("Pressures of elements are exact means, however the ellipse cuts them"
     for (const auto& [n, m] : {std::pair{1, 1}, {2, 2}, {5, 7}, {13, 4}}) {
         for (const double side : {1.0, 1.3}) {
             double volume = 0, inverse = 0;
-            for (const Rectangle<double>& element : grid(side, side, n, m)) {
+            for (const PatchMesh<double>::Rectangle& element : grid(side, side, n, m)) {
                 const auto [height, root] = detail::integrate_hemisphere(element);
                 volume += height;
                 inverse += root;
@@ -228,7 +228,7 @@ TEST_CASE("Elements carry the load exactly, and their rates are its derivative",
     const double a = ellipse.half_length(), b = ellipse.half_width();
     for (const double load : {1e5, 4e4, 1e3}) {
         for (const double side : {1.0, 0.97}) {  // the second loses some of the rim
-            const std::vector<Rectangle<double>> elements = grid(side * a, side * b, 9, 8);
+            const std::vector<PatchMesh<double>::Rectangle> elements = grid(side * a, side * b, 9, 8);
             const double h = 1e-4 * load;
             const auto at = ellipse.under(load).pressures(elements), more = ellipse.under(load + h).pressures(elements),
                        less = ellipse.under(load - h).pressures(elements);

@@ -41,7 +41,7 @@ double exact_mean(const HertzLine& hertz, double low, double high) {
 
 TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[hertz][load]") {
     const Mesh<double> mesh = cosine_mesh<double>(17);
-    const HertzLoad hertz = HertzLoad::breathing(line, mesh);
+    const HertzLine::Load hertz = HertzLine::Load::breathing(line, mesh);
     CHECK(hertz.breathes());
     NormalLoad load = hertz.at(1e6);
     // bit for bit the contact of the line itself
@@ -66,7 +66,7 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
         for (const Eigen::Index n : {1, 2, 12, 13, 200}) {
             const Mesh<double> mesh = uniform ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
             const double length = 1.25 * line.half_length();
-            const HertzLoad hertz = HertzLoad::fixed(line, mesh, length);
+            const HertzLine::Load hertz = HertzLine::Load::fixed(line, mesh, length);
             CHECK(!hertz.breathes());
             NormalLoad load = hertz.at(1e6);
             for (const double P : {1e-6, 1.0, 2e4, 3.7e5, 1e6, 1.5e6}) {
@@ -107,17 +107,17 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
     }
     // a mesh as long as the contact
     const Mesh<double> mesh = cosine_mesh<double>(17);
-    const NormalLoad whole = HertzLoad::fixed(line, mesh, line.half_length()).at(1e6);
+    const NormalLoad whole = HertzLine::Load::fixed(line, mesh, line.half_length()).at(1e6);
     CHECK((whole.normal_pressure / line.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
 }
 
 TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Mesh<double> mesh = uniform_mesh<double>(10);
-    const HertzLoad breathing = HertzLoad::breathing(line, mesh);
-    const HertzLoad fixed = HertzLoad::fixed(line, mesh, 1.25 * line.half_length());
+    const HertzLine::Load breathing = HertzLine::Load::breathing(line, mesh);
+    const HertzLine::Load fixed = HertzLine::Load::fixed(line, mesh, 1.25 * line.half_length());
     NormalLoad load = fixed.at(1e6);
-    const auto refused = [&](const HertzLoad& hertz, double P) {
+    const auto refused = [&](const HertzLine::Load& hertz, double P) {
         load.half_length = 1;
         CHECK(hertz.set(P, load) == Status::invalid_load);
         CHECK(load.check(10) == Status::invalid_load);  // the load itself stays invalid
@@ -131,13 +131,13 @@ TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]
     refused(fixed, 1e6 * 1.25 * 1.25 * 1.0001);
     CHECK(fixed.set(1e6 * 1.25 * 1.25, load) == Status::ok);
     CHECK(fixed.set(0, load) == Status::ok);
-    NormalLoad other = HertzLoad::fixed(line, uniform_mesh<double>(9), 1).at(1);
+    NormalLoad other = HertzLine::Load::fixed(line, uniform_mesh<double>(9), 1).at(1);
     CHECK(fixed.set(1e6, other) == Status::invalid_load);
     CHECK(other.check(9) == Status::invalid_load);
     for (const double length : {0.0, -1.0, nan, infinity}) {
-        CHECK_THROWS_AS(HertzLoad::fixed(line, mesh, length), std::invalid_argument);
+        CHECK_THROWS_AS(HertzLine::Load::fixed(line, mesh, length), std::invalid_argument);
     }
-    CHECK_THROWS_WITH(breathing.at(0), "HertzLoad: load_per_width = 0 must be positive and finite");
+    CHECK_THROWS_WITH(breathing.at(0), "HertzLine::Load: load_per_width = 0 must be positive and finite");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using support::observed_order;
 
 /// E* = 1 and a gap h(x, y) on nx x ny cells over the rectangle x_1 ... x_2, y_1 ... y_2.
 struct Scene {
-    CellGrid grid;
+    NormalContact::Cells grid;
     NormalContact::Grid h;
     NormalContact normal{1.0};
     NormalContact::Solution solution;
@@ -95,7 +95,7 @@ TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second 
 }
 
 TEST_CASE("normal_contact: a first solution that is to start from the last one starts anew", "[normal]") {
-    const CellGrid grid{16, 16, -1.5, -1.5, 0.2, 0.2};
+    const NormalContact::Cells grid{16, 16, -1.5, -1.5, 0.2, 0.2};
     NormalContact::Grid h(16, 16);
     for (Eigen::Index j = 0; j < 16; ++j) {
         for (Eigen::Index i = 0; i < 16; ++i) h(i, j) = grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j);
@@ -242,7 +242,7 @@ TEST_CASE("normal_contact: any load and any gap has numbers with status ok, or n
 TEST_CASE("normal_contact: grids without a size, compliances and numbers of gaps that cannot be meant", "[normal]") {
     Scene scene(8, 8, -1, 1, -1, 1, [](double x, double y) { return x * x + y * y; });
     for (const double size : {0.0, -1.0, double(NAN), double(INFINITY), 5e-324}) {
-        CellGrid grid = scene.grid;
+        NormalContact::Cells grid = scene.grid;
         grid.dx = size;
         const auto found = scene.normal.carry(grid, scene.h, 1);
         CHECK((found.status == Status::not_finite && found.load == 0 && (scene.normal.pressure() == 0).all()));

@@ -80,7 +80,7 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
         return sum;
     };
     CHECK(grid.integral() == Approx(antiderivative(x, f, 2) * antiderivative(y, g, 4)).epsilon(1e-14));
-    std::vector<Rectangle<double>> elements;
+    std::vector<PatchMesh<double>::Rectangle> elements;
     for (const double x_1 : {-5.0, -3.0, -2.0, -1.0, 0.0, 1.5}) {
         for (const double width : {0.3, 1.5, 9.0}) {
             for (const double y_1 : {-2.0, -1.0, 0.0, 3.5, 4.0}) {
@@ -104,8 +104,8 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
                       "PressureGrid: x = 0.5 must be finite and larger than the value before");
     CHECK_THROWS_WITH((PressureGrid(x, y, -ones)), "PressureGrid: pressure = -1 must be finite and not negative");
     CHECK_THROWS_WITH((PressureGrid(x, y, 0 * ones)), "PressureGrid: load = 0 must be positive and finite");
-    for (const Rectangle<double>& none :
-         {Rectangle<double>{0, 0, 0, 1}, {1, 0, 1, 0}, {0, NAN, 0, 1}, {0, 1, 0, INFINITY}}) {
+    for (const PatchMesh<double>::Rectangle& none :
+         {PatchMesh<double>::Rectangle{0, 0, 0, 1}, {1, 0, 1, 0}, {0, NAN, 0, 1}, {0, 1, 0, INFINITY}}) {
         CHECK_THROWS_AS(grid({none}), std::invalid_argument);
     }
 }

@@ -51,15 +51,15 @@ const Folder& folder() {
 }
 
 ProfileFile read(const std::string& name, const std::string& text, Use use = Use::piece,
-                 const ProfileFileOptions& options = {.per_metre = 1000}) {
+                 const ProfileFile::Options& options = {.per_metre = 1000}) {
     return read_profile(folder().write(name, text), use, options);
 }
 Profile profile_of(const std::string& name, const std::string& text, Use use = Use::piece,
-                   const ProfileFileOptions& options = {.per_metre = 1000}) {
+                   const ProfileFile::Options& options = {.per_metre = 1000}) {
     return std::get<Profile>(read(name, text, use, options).curve);
 }
 std::string refused(const std::string& name, const std::string& text, Use use = Use::piece,
-                    const ProfileFileOptions& options = {.per_metre = 1000}) {
+                    const ProfileFile::Options& options = {.per_metre = 1000}) {
     return refusal([&] { read(name, text, use, options); });
 }
 
@@ -182,12 +182,22 @@ TEST_CASE("profile_file: units that make a profile too short or too long are nam
     CHECK_THAT(
         refused("mm.csv", lines(rail), Use::rail, {}),
         ContainsSubstring("mm.csv: length along the profile = 9.388e+04 mm must lie in 5 to 500 mm: these look like "
-                          "millimetres: --length-unit mm"));
+                          "millimetres read as metres: --length-unit mm"));
     CHECK_THAT(refused("m.csv", lines(rail, 1, 1, ",", 1)),
-               ContainsSubstring("must lie in 5 to 500 mm: these look like metres: --length-unit m"));
+               ContainsSubstring("must lie in 5 to 500 mm: these look like metres read as millimetres: "
+                                 "--length-unit m"));
     CHECK_THAT(refused("a.csv", "0 0\n1 0\n2 0\n4.9 0\n"), ContainsSubstring("length along the profile = 4.9 mm"));
     CHECK(refused("a.csv", "0 0\n1 0\n2 0\n5.1 0\n") == "");
-    // inches
+    // units that no option names: the length along the profile, or the width of a wheel
+    for (const auto& [looks, per_metre, read_as] : {std::tuple{"micrometres read as millimetres", 1e6, 1000.0},
+                                                    std::tuple{"micrometres read as metres", 1e6, 1.0},
+                                                    std::tuple{"inches or centimetres read as metres", 100.0, 1.0},
+                                                    std::tuple{"inches or centimetres read as metres", 39.37, 1.0}}) {
+        CHECK_THAT(refused("a.csv", lines(rail, 1, 1, ",", per_metre), Use::rail, {.per_metre = read_as}),
+                   ContainsSubstring(std::string("these look like ") + looks + ": convert the file"));
+    }
+    CHECK_THAT(refused("cm.csv", lines(s1002(), 1, 1, " ", 100), Use::wheel),
+               ContainsSubstring("these look like centimetres read as millimetres: convert the file"));
     CHECK_THAT(refused("inch.csv", lines(s1002(), 1, 1, " ", 1e3 / 25.4), Use::wheel),
                ContainsSubstring("width of the wheel = 0.005116 m must lie in 0.09 to 0.18 m: these look like inches"));
 }
@@ -291,7 +301,7 @@ TEST_CASE("profile_file: MiniProf's z is turned where the shape says so", "[prof
 
 TEST_CASE("profile_file: mirrors are applied and noted", "[profiles]") {
     const Profile wheel = s1002();
-    ProfileFileOptions how{.per_metre = 1000};
+    ProfileFile::Options how{.per_metre = 1000};
     how.mirror_y = GENERATE(false, true);
     how.mirror_z = GENERATE(false, true);
     const ProfileFile file = read("a.csv", lines(wheel, how.mirror_y ? -1 : 1, how.mirror_z ? -1 : 1), Use::wheel, how);
@@ -550,7 +560,7 @@ TEST_CASE("profile_file: a flange's back beside its place is doubted, where the 
         return Eigen::ArrayXd(Eigen::ArrayXd::Map(of.data(), Eigen::Index(of.size())));
     };
     const std::string text = lines({array(y), array(z)});
-    const ProfileFileOptions how{.per_metre = 1000, .tape_offset = 1e-3 * scene.tape_offset};
+    const ProfileFile::Options how{.per_metre = 1000, .tape_offset = 1e-3 * scene.tape_offset};
     const ProfileFile file = read("a.csv", text, Use::wheel, how);
     CHECK(file.notes.empty());
     REQUIRE(file.doubts.size() == (*scene.doubt != '\0'));
@@ -560,7 +570,7 @@ TEST_CASE("profile_file: a flange's back beside its place is doubted, where the 
 
 TEST_CASE("surface_file: a rail that is canted unasked is doubted", "[profiles]") {
     const auto path = folder().write("rail.csv", lines(rail_60e1(0), 1, 1, ",", 1));
-    const RailFile usual = open_rail(path), asked = open_rail(path, {}, {.cant = 0.025});
+    const ProfileFile::Rail usual = open_rail(path), asked = open_rail(path, {}, {.cant = 0.025});
     REQUIRE(usual.doubts.size() == 1);
     CHECK(usual.doubts[0] == "turned inwards by 1:40: --cant 0 if the profile is canted already");
     CHECK(asked.doubts.empty());
@@ -679,7 +689,7 @@ void read_changed_files(int count) {
             if (draw.one_in(2)) text.erase(at, length);
             if (draw.one_in(4)) text.insert(at, text.substr(std::size_t(draw.integer(int(text.size()) + 1)), 12));
         }
-        ProfileFileOptions how{.per_metre = 1000, .mirror_y = draw.one_in(2), .mirror_z = draw.one_in(2)};
+        ProfileFile::Options how{.per_metre = 1000, .mirror_y = draw.one_in(2), .mirror_z = draw.one_in(2)};
         if (draw.one_in(3)) how.smooth = draw.decades(1e-5, 1);
         INFO(name << ":\n" << text);
         try {

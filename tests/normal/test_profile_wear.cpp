@@ -174,6 +174,22 @@ TEST_CASE("A worn wheel comes back to where it was", "[profile]") {
     }
 }
 
+TEST_CASE("More than half of a tread may be worn unevenly", "[profile]") {
+    const Profile wheel = s1002();
+    const auto parts = unworn_parts(wheel, Use::wheel);
+    const double middle = parts[1][0] + 0.3 * (parts[1][1] - parts[1][0]);  // of wear over three fifths of the part
+    const Profile hollow =
+        worn(wheel, (2e-3 * (-((wheel.y() - middle) / (0.26 * (parts[1][1] - parts[1][0]))).square()).exp()).eval(),
+             Use::wheel);
+    for (const bool turns : {false, true}) {
+        const Alignment found = align(hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3), wheel, parts, turns);
+        const Profile back = hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3).moved(found.angle, found.dy, found.dz);
+        CAPTURE(turns, found.angle, found.dy, found.dz, found.residual, found.share);
+        CHECK((back.y() - hollow.y()).abs().maxCoeff() < 2e-5);
+        CHECK((back.z() - hollow.z()).abs().maxCoeff() < 2e-5);
+    }
+}
+
 TEST_CASE("A worn rail comes back, and what does not fix it is refused", "[profile]") {
     const Profile rail = extended(rail_60e1(0), 15e-3);
     const Profile head = worn(rail, (5e-3 * (-(rail.z() / 14e-3).pow(8)).exp()).eval(), Use::rail);

@@ -23,8 +23,8 @@ Profile arch(double scale, double z) {
     return {scale * y, 5 * y.square() + z, Profile::Use::piece};
 }
 
-std::vector<Section> arches(const std::vector<double>& u, double (*scale)(double), double (*z)(double)) {
-    std::vector<Section> sections;
+std::vector<Sections::Section> arches(const std::vector<double>& u, double (*scale)(double), double (*z)(double)) {
+    std::vector<Sections::Section> sections;
     for (const double at : u) sections.push_back({at, arch(scale(at), z(at))});
     return sections;
 }
@@ -36,7 +36,7 @@ double one(double) { return 1; }
 
 TEST_CASE("sections: derivatives differentiate the points, which are smooth in u", "[profiles]") {
     const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     for (const double at : unequal) {
         list.push_back({at,
                         rail_60e1().moved(5 * at, at * at, std::sin(60 * at) / 100),
@@ -73,10 +73,10 @@ TEST_CASE("sections: derivatives differentiate the points, which are smooth in u
 }
 
 TEST_CASE("sections: a surface goes through its sections, at equal shares of each part", "[profiles]") {
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     for (const double at : unequal) list.push_back({at, arch(1 + at, at), {0, 0.011 + at / 10, 0.03, 1}});
     const Sections sections(list, Interpolation::through);
-    for (const Section& section : list) {
+    for (const Sections::Section& section : list) {
         for (std::size_t part = 0; part < 3; ++part) {
             const double from = section.features[part],
                          to = std::min(section.features[part + 1], section.profile.length());
@@ -140,7 +140,7 @@ TEST_CASE("sections: the B-spline's weights add to one and its second derivative
 TEST_CASE("sections: errors fall with the third power of the step through sections", "[profiles]") {
     std::vector<double> counts, errors;
     for (const int n : {10, 20, 40, 80}) {
-        std::vector<Section> list;
+        std::vector<Sections::Section> list;
         for (int k = 0; k <= n; ++k) list.push_back({0.1 * k / n, arch(1, std::sin(40 * 0.1 * k / n))});
         const Sections sections(list, Interpolation::through);
         double error = 0;
@@ -157,7 +157,7 @@ TEST_CASE("sections: errors fall with the third power of the step through sectio
 
 TEST_CASE("sections: parts are interrupted where a feature is absent", "[profiles]") {
     const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     const auto z = [](double u) { return u > 0.045 ? 5 * (u - 0.05) * (u - 0.05) : 0.01 - 0.1 * u; };
     for (const double at : equal) {
         list.push_back({at, arch(1, z(at)), {0, at == 0.04 ? -1 : 0.02, 0.03}});
@@ -201,7 +201,7 @@ TEST_CASE("sections: parts are interrupted where a feature is absent", "[profile
 
 TEST_CASE("sections: parts lie one behind the other along s", "[profiles]") {
     const auto list = [](double feature) {
-        std::vector<Section> sections;
+        std::vector<Sections::Section> sections;
         for (const double at : unequal)
             sections.push_back({at, arch(1 + at, at), {0, feature, at == 0.03 ? -1 : 0.03, 1}});
         return sections;
@@ -238,7 +238,7 @@ TEST_CASE("sections: two are joined by straight lines", "[profiles]") {
 TEST_CASE("sections: the same from the other end", "[profiles]") {
     const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
     const bool interrupted = GENERATE(false, true);
-    std::vector<Section> list, reversed;
+    std::vector<Sections::Section> list, reversed;
     for (const double at : unequal) {
         list.push_back({at, arch(1 + at, std::sin(50 * at) / 50), {0, interrupted && at == 0.03 ? -1 : 0.02}});
         reversed.insert(reversed.begin(), {-at, list.back().profile, list.back().features});
@@ -290,7 +290,7 @@ TEST_CASE("sections: what cannot be a surface is refused", "[profiles]") {
         {"a part never there", {0, 1, 2}, {{0, 0.01, -1}, {0, 0.01, 0.02}, {0, 0.01, -1}}, "number of the part = 2"},
     }));
     INFO(scene.what);
-    std::vector<Section> list;
+    std::vector<Sections::Section> list;
     for (std::size_t k = 0; k < scene.u.size(); ++k) list.push_back({scene.u[k], arch(1, 0), scene.features[k]});
     CHECK_THAT(refusal([&] { Sections(list, Interpolation::through); }), ContainsSubstring(scene.message));
 }

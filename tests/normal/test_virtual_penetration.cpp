@@ -88,7 +88,7 @@ TEST_CASE("virtual_penetration: elliptic contacts displace their middle by the a
 TEST_CASE("virtual_penetration: contacts apart in one plane are as alone, lobes by what is left of them",
           "[penetration]") {
     const double half = 0.03, crown = 0.012, step = half / 2000;
-    const VirtualContact contact{along, compliance};
+    const VirtualPenetration::Parameters contact{along, compliance};
     for (const double shallower : {0.9, 0.6, 0.3}) {
         const Eigen::ArrayXd one = parabola(along, half, 4001, -crown),
                              two = parabola(along, half, 4001, crown, shallower * approach);
@@ -170,7 +170,7 @@ TEST_CASE("virtual_penetration: a cone on a crown, inclined and yawed, has the a
         for (const double yaw : {0.0, 0.02}) {
             const WheelOnRail wheel = on_crown(angle, crown);
             WheelsetPosition at{.lateral = 1e-3, .yaw = yaw};
-            const RigidContact touch = rigid_contact(wheel, at);
+            const WheelOnRail::RigidContact touch = rigid_contact(wheel, at);
             REQUIRE(touch.status == Status::ok);
             const double depth = 0.5 * approach, slope = std::cos(touch.angle);
             at.height = touch.height + depth / slope;
@@ -194,7 +194,7 @@ TEST_CASE("virtual_penetration: a cone on a crown, inclined and yawed, has the a
 
 TEST_CASE("virtual_penetration: deepest places aside from the middle lie on the rail", "[penetration]") {
     const WheelOnRail wheel(s1002(), rail_60e1());
-    const ContactGeometry& geometry = wheel.geometry();
+    const WheelOnRail::Geometry& geometry = wheel.geometry();
     for (const double lateral : {1e-3, 5e-3, 7e-3}) {
         const double touch = rigid_contact(wheel, {.lateral = lateral}).height;
         for (const VirtualPenetration& found :

@@ -519,7 +519,8 @@ TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profi
             if (forces.contacts.status != Status::ok) continue;
             const RollingPower power = power_of(forces, rolling.speeds);
             CHECK(power.lost == Approx(power.creep).epsilon(1e-3));
-            for (const Wrench& wheel : forces.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
+            for (const WheelsetForces::Wrench& wheel : forces.on_wheel)
+                CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
             ++seen;
         }
     }
@@ -543,7 +544,7 @@ TEST_CASE("wheelset_forces: in a curve normal forces work on the turn of the rai
         // pressures ahead of the axle, at x, move across the rails with the rate of turn times x
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             for (const RailPatch& patch : forces.contacts.wheels[std::size_t(side)].patches) {
-                const Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
+                const WheelsetForces::Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
                 const double sign = side == WheelsetOnTrack::Side::left ? -1 : 1;
                 power.lost += sign * turn * patch.x * pressures.force[1];
             }
@@ -644,7 +645,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
           "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     const RollingFriction friction{.coefficient = 0.5, .elements = 6, .strips = 7};
-    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16};
+    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16, .halves_cells = false};
     // contacts of the last two jump with the loads
     for (const auto& [lateral, yaw] :
          {std::pair{4.91297511e-3, 5.43510045e-3}, {6.59e-3, -6.7e-3}, {7.2e-3, -1.17e-2}}) {
@@ -657,7 +658,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
     }
     // friction that jumps with the load does not settle; the other wheel does
     WheelsetOnTrack::Workspace workspace;
-    const WheelsetRolling rolling{.position = {.lateral = 7.22e-3, .yaw = -1.11e-2},
+    const WheelsetRolling rolling{.position = {.lateral = 7.32e-3, .yaw = -1.14e-2},
                                   .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 20}};
     const auto jumps =

@@ -61,7 +61,7 @@ struct Outcome {
     void add(const TangentialForce& of) {
         for (const double number : {of.longitudinal, of.lateral, of.moment}) add(number);
     }
-    void add(const CreepageTangent& of) {
+    void add(const TangentialForce::ByCreepage& of) {
         for (const auto& by : {of.by_longitudinal, of.by_lateral, of.by_spin}) add(by);
     }
 };

@@ -298,7 +298,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
                           scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
         Model::State now = model.at_rest(), next = now;
         Model::Workspace workspace = model.workspace();
-        const AdhesionStep<> any = model.advance(now, {scenes.logarithmic(1e-9, 1e6), 1.0}, next, workspace);
+        const AdhesionModel<>::Step any = model.advance(now, {scenes.logarithmic(1e-9, 1e6), 1.0}, next, workspace);
         const bool consistent = (any.status == Status::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
@@ -306,7 +306,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         // a step far longer than every mode forgets its initial state, even along growing modes, as it is L-stable;
         // |G'^-1 G| bounds the length of the slowest mode, which grows with the condition number of G'
         const double dq = std::max(1e9, 1e4 * longest);
-        AdhesionStep<> last;
+        AdhesionModel<>::Step last;
         for (int k = 0; k < 4; ++k) {
             last = model.advance(now, {dq, 1.0}, next, workspace);
             std::swap(now, next);

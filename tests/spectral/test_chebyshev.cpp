@@ -43,7 +43,7 @@ StripKernel<double> strip(double aspect, double nu = 0.28) { return {aspect, 1 -
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
-ChebyshevTraction<double> traction_of(const Response<double>& steady) { return {steady.unknowns.col(0)}; }
+Chebyshev::Traction<double> traction_of(const Response<double>& steady) { return {steady.unknowns.col(0)}; }
 
 // agreement with the result of other code within 40 %
 auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
@@ -135,7 +135,7 @@ double condition(const MatrixX<double>& matrix) {
 TEST_CASE("The system of the plane has its elementary closed form", "[chebyshev]") {
     const double pi = std::numbers::pi;
     for (const Eigen::Index m : {1, 2, 12, 64}) {
-        const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, plane);
+        const Chebyshev::System<double> system = rolling_system(Chebyshev{m}, plane);
         const auto lambda = [&](Eigen::Index k) {
             return k == 0 ? 2 * (0.75 * std::log(400.0) + 0.25) : 1.5 / static_cast<double>(k);
         };
@@ -172,9 +172,9 @@ TEST_CASE("The error estimate of steady rolling bounds the error on narrow strip
 }
 
 TEST_CASE("Tractions of harmonic creepage follow from the states", "[chebyshev]") {
-    const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, plane);
+    const Chebyshev::System<double> system = rolling_system(Chebyshev{24}, plane);
     for (const double z : {0.0, 0.5, 5.0}) {
-        const ChebyshevTraction<Complex> traction =
+        const Chebyshev::Traction<Complex> traction =
             system.traction<Complex>(solve_response(system, {0, z}).unknowns.col(0));
         const reference::ExactTraction exact(Complex(0, z), 0.25, 100);
         CHECK(std::abs(traction.coefficients.sum()) < 1e-13);
@@ -230,7 +230,7 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
         const bool lateral = draw.uniform(0, 1) < 0.3;
         const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -nu) : strip(aspect, nu);
         const double z = 3 * draw.uniform(0, 1);
-        const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
+        const Chebyshev::System<double> system = rolling_system(Chebyshev{m}, kernel);
         CAPTURE(scene, nu, aspect, m, lateral, z);
         CHECK(judge_stability(system).stable());
         CHECK(relative_error(solve_response(system, {0, -z}).c11(), std::conj(solve_response(system, {0, z}).c11())) <
@@ -320,10 +320,10 @@ TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "
     CHECK_THROWS_WITH(rolling_system(Chebyshev{}, strip(5e-4)),
                       ContainsSubstring("use elements for so narrow a strip"));
     CHECK_THROWS_WITH(solve_steady(Chebyshev{}, StripKernel<double>(1, -0.5, 0.2)), ContainsSubstring("strength"));
-    const ChebyshevSystem<double> system = rolling_system(Chebyshev{8}, plane);
+    const Chebyshev::System<double> system = rolling_system(Chebyshev{8}, plane);
     CHECK_THROWS_WITH(system.traction(VectorX<double>::Zero(7).eval()),
                       ContainsSubstring("number of unknowns = 7 must equal"));
-    const ChebyshevTraction<double> traction = system.traction(VectorX<double>::Ones(8).eval());
+    const Chebyshev::Traction<double> traction = system.traction(VectorX<double>::Ones(8).eval());
     for (const double x : {-1.1, 1 + 1e-15, infinity, std::numeric_limits<double>::quiet_NaN()}) {
         CHECK_THROWS_WITH(traction(x), ContainsSubstring("must lie in [-1, 1]"));
     }

@@ -237,6 +237,17 @@ struct NamedMesh {
     rollbem::Mesh<Scalar> mesh;
 };
 
+/// Gradings are exact in float; `n` >= 3.
+template <class Scalar>
+std::vector<NamedMesh<Scalar>> mesh_of_every_topology(Eigen::Index n) {
+    std::vector<NamedMesh<Scalar>> meshes;
+    for (const rollbem::TopologyInfo& known : rollbem::topologies) {
+        const double grading = known.grading == "size_ratio" ? 5 : 0.375;
+        meshes.push_back({known.name, rollbem::make_mesh<Scalar>(known.topology, n, grading)});
+    }
+    return meshes;
+}
+
 /// One mesh of every kind, and their degenerate members; `n` >= 3.
 template <class Scalar>
 std::vector<NamedMesh<Scalar>> every_mesh(Eigen::Index n) {
@@ -250,14 +261,11 @@ std::vector<NamedMesh<Scalar>> every_mesh(Eigen::Index n) {
         }
         return mesh_from_edges<Scalar>(edges);
     };
-    return {{"uniform", uniform_mesh<Scalar>(n)},
-            {"geometric 5", geometric_mesh<Scalar>(n, Scalar(5))},
-            {"geometric 1/8", geometric_mesh<Scalar>(n, Scalar(0.125))},
-            {"knothe 0.25", knothe_mesh<Scalar>(n, Scalar(0.25))},
-            {"modified knothe 0.375", modified_knothe_mesh<Scalar>(n, Scalar(0.375))},
-            {"modified knothe 4", modified_knothe_mesh<Scalar>(n, Scalar(4))},
-            {"cosine", cosine_mesh<Scalar>(n)},
-            {"edges", with_edges()}};
+    std::vector<NamedMesh<Scalar>> meshes = mesh_of_every_topology<Scalar>(n);
+    meshes.push_back({"geometric 1/8", geometric_mesh<Scalar>(n, Scalar(0.125))});
+    meshes.push_back({"modified knothe 4", modified_knothe_mesh<Scalar>(n, Scalar(4))});
+    meshes.push_back({"edges", with_edges()});
+    return meshes;
 }
 
 struct NamedScheme {

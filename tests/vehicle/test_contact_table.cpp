@@ -50,7 +50,7 @@ using Inputs = std::array<double, WheelForces::inputs>;
 constexpr Inputs scales{1e-4, 1e-4, 0.03, 0.06, 0.03, 0.03, 0.02, 0.02, 1e5, mu, 1e-4};
 
 /// A roll of 0 stands for the roll of equal loads.
-WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, WheelFriction friction = {}) {
+WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, ContactTable::Friction friction = {}) {
     friction.coefficient = x[9];
     return s1002().look_up(
         creep(), side, {.lateral = x[0], .yaw = x[1]},
@@ -88,7 +88,7 @@ Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 
 TEST_CASE("tangents of a wheel's forces are their derivatives", "[contact_table]") {
     const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
     const int kind = GENERATE(0, 1, 2);  // dry, wet by zones, and with a roll of its own
-    WheelFriction friction;
+    ContactTable::Friction friction;
     if (kind == 1) {
         friction.factor = {0.4, 1, 0.7, 1};
         friction.reduced = &wet;
@@ -125,7 +125,7 @@ TEST_CASE("tangents of a wheel's forces are their derivatives", "[contact_table]
 TEST_CASE("forces without tangents are the forces with tangents, and so are statuses and points", "[contact_table]") {
     const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
     const int kind = GENERATE(0, 1, 2);  // dry; wet, and slippery by zones; much friction, which may hold a wheel up
-    WheelFriction friction;
+    ContactTable::Friction friction;
     if (kind == 1) {
         friction.factor = {0, 1, 0.7, 1};
         friction.reduced = &wet;
@@ -320,13 +320,13 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
     const WheelOnRail right(rollbem::s1002(), rail_60e1()), left(rollbem::s1002(), rail_54e1(), {.radius = 0.45});
     const bool both = GENERATE(true, false);
     const WheelsetOnTrack track = both ? WheelsetOnTrack(right) : WheelsetOnTrack(left, right);
-    ContactTableOptions making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
-                               .contacts = {.cells_x = 20, .cells_s = 12}};
+    ContactTableMaker::Options making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
+                                      .contacts = {.cells_x = 20, .cells_s = 12}};
     making.grid.loads = {6e4, 1e5};
-    making.zones = {ContactZones(), ContactZones()};
+    making.zones = {ContactTable::Zones(), ContactTable::Zones()};
     making.fits_friction = false;
     making.jobs = 2;
-    const MadeContactTable made = make_contact_table(track, creep(), making);
+    const ContactTableMaker::Result made = make_contact_table(track, creep(), making);
     REQUIRE(made.missing_share == 0);
     REQUIRE(made.table.is_mirrored() == both);
     REQUIRE(made.table.grid().shifts.size() == 5);
@@ -415,7 +415,9 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;
-    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
+    // on the cells from which the table was made
+    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace,
+                                                  {.cells_x = 60, .cells_s = 60, .halves_cells = false});
     REQUIRE(patches.contacts.status == Status::ok);
     ContactTable::Side plain = s1002().side(WheelsetSide::right);
     plain.points.row(ContactRow::creepage_scale).setOnes();
@@ -477,7 +479,7 @@ TEST_CASE("height and roll follow both loads, and loads follow heights", "[conta
 }
 
 TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]") {
-    const ContactZones zones({{0.722, 3e-3}, {0.73, 2e-3}});
+    const ContactTable::Zones zones({{0.722, 3e-3}, {0.73, 2e-3}});
     for (double y = 0.71; y < 0.74; y += 1e-4) {
         double sum = 0;
         for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
@@ -487,7 +489,10 @@ TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]")
         CHECK_THAT(sum, WithinAbs(1, 1e-15));
     }
     CHECK(zones.weight(1, 0.7265) == 1);
-    CHECK_THAT(refusal([] { ContactZones({{0.72, 3e-3}, {0.724, 2e-3}}); }), ContainsSubstring("lower end of a cut"));
+    CHECK_THAT(refusal([] {
+                   ContactTable::Zones({{0.72, 3e-3}, {0.724, 2e-3}});
+               }),
+               ContainsSubstring("lower end of a cut"));
 }
 
 TEST_CASE("a table of contact geometry is read as it was written", "[contact_table]") {
@@ -558,7 +563,7 @@ TEST_CASE("bends bring ellipses to the patches between rest and full sliding", "
     node.at = contacts.seen(WheelsetSide::right);
     node.pitch_per_metre = -1 / radius;
     node.patches = detail::patch_creep_matrices(contacts.wheels[1].patches, dimensions, false);
-    const ContactZones zones;
+    const ContactTable::Zones zones;
     std::vector<detail::NodeFriction> motions = detail::friction_of(node, dimensions), others;
     REQUIRE(motions.size() > 40);
     for (std::size_t m = 0; m < motions.size(); m += 3) {  // left out of the fit
@@ -618,7 +623,7 @@ TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     CHECK(soft.look_up(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
     CHECK(soft.forces(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
     const double last = s1002().largest_shift();
-    const WheelLoad as_equal(1e5, s1002().on_rails(last, 0, {1e5, 1e5}).roll);
+    const ContactTable::Load as_equal(1e5, s1002().on_rails(last, 0, {1e5, 1e5}).roll);
     CHECK(s1002().look_up(creep(), WheelsetSide::right, {.lateral = last}, speeds, as_equal, mu).status == Status::ok);
 }
 

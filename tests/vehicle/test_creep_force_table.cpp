@@ -52,7 +52,7 @@ Creepage creepage(const PatchContact& patch, double x, double y, double spin) {
 }
 
 /// -F_x, -F_y over mu N, -M_z over mu N c.
-Eigen::Array3d ratios(const PatchContact& patch, const TabulatedForce& at) {
+Eigen::Array3d ratios(const PatchContact& patch, const CreepForceTable::Force& at) {
     return -array(at.force) / (mu * load) / Eigen::Array3d(1, 1, patch.c());
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("creep_force_table: no creepage, no force; small creepages by the line
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table
         const PatchContact patch = contact(a_over_b);
-        const TabulatedForce rest = table.look_up(patch, mu, load, {});
+        const CreepForceTable::Force rest = table.look_up(patch, mu, load, {});
         REQUIRE(rest.status == Status::ok);
         CHECK((array(rest.force) == 0).all());
         const auto c = creep_forces::coefficients(a_over_b);
@@ -143,7 +143,7 @@ TEST_CASE("creep_force_table: no creepage, no force; small creepages by the line
         close(rest.tangent.by_spin.moment, stiffness * length * length * c.c33);
         CHECK(rest.tangent.by_longitudinal.lateral == 0);
         CHECK(rest.tangent.by_spin.longitudinal == 0);
-        const TabulatedForce small = table.look_up(patch, mu, load, creepage(patch, 1e-6, -2e-6, 3e-6));
+        const CreepForceTable::Force small = table.look_up(patch, mu, load, creepage(patch, 1e-6, -2e-6, 3e-6));
         const Eigen::Array3d linear(c.c11, -2 * c.c22 + 3 * c.c23, -2 * c.c32 + 3 * c.c33);
         CHECK(((ratios(patch, small) * 1e6 - linear).abs() < 1e-4 * linear.abs().maxCoeff()).all());
     }
@@ -154,12 +154,12 @@ TEST_CASE("creep_force_table: symmetric to the last bit") {
     const PatchContact patch = contact(1.3);
     for (const auto& v : {creepage(patch, 0.3, -0.2, 0.4), creepage(patch, 2, 1, -3), creepage(patch, 0, 0.2, 0.1),
                           creepage(patch, 0.2, 0.3, 0), creepage(patch, 0.1, 0, 0), creepage(patch, 1e3, -1e2, 5e2)}) {
-        const TabulatedForce one = table.look_up(patch, mu, load, v);
-        const TabulatedForce back = table.look_up(patch, mu, load, {-v.longitudinal, v.lateral, v.spin});
+        const CreepForceTable::Force one = table.look_up(patch, mu, load, v);
+        const CreepForceTable::Force back = table.look_up(patch, mu, load, {-v.longitudinal, v.lateral, v.spin});
         CHECK((array(back.force) == array(one.force) * Eigen::Array3d(-1, 1, 1)).all());
         CHECK(back.tangent.by_longitudinal.longitudinal == one.tangent.by_longitudinal.longitudinal);
         CHECK(back.tangent.by_longitudinal.lateral == -one.tangent.by_longitudinal.lateral);
-        const TabulatedForce mirrored = table.look_up(patch, mu, load, {v.longitudinal, -v.lateral, -v.spin});
+        const CreepForceTable::Force mirrored = table.look_up(patch, mu, load, {v.longitudinal, -v.lateral, -v.spin});
         CHECK((array(mirrored.force) == array(one.force) * Eigen::Array3d(1, -1, -1)).all());
         CHECK(mirrored.tangent.by_spin.moment == one.tangent.by_spin.moment);
         CHECK(mirrored.tangent.by_spin.longitudinal == -one.tangent.by_spin.longitudinal);
@@ -262,7 +262,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         const PatchContact patch = contact(std::exp(0.3 * draw.normal()));
         const double level = std::exp(1.5 * draw.normal());
         const Creepage v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
-        const TabulatedForce at = table.look_up(patch, mu, load, v);
+        const CreepForceTable::Force at = table.look_up(patch, mu, load, v);
         const auto force = [&](const PatchContact& where, double friction, double N, const Creepage& by) {
             return table.look_up(where, friction, N, by).force;
         };
@@ -273,7 +273,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     {
         const PatchContact patch = contact(1.2);
         const Creepage v = creepage(patch, 0.4, 0.2, 0.3);
-        const TabulatedForce at = table.look_up(patch, 0, load, v), next = table.look_up(patch, 1e-6, load, v);
+        const CreepForceTable::Force at = table.look_up(patch, 0, load, v), next = table.look_up(patch, 1e-6, load, v);
         CHECK(array(at.force).isZero());
         const Eigen::Array3d by_mu = array(at.tangent_by_friction_coefficient);
         CHECK(((array(next.force) / 1e-6 - by_mu) / (Eigen::Array3d(1, 1, patch.c()) * load)).abs().maxCoeff() < 1e-4);
@@ -283,7 +283,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     const PatchContact round = contact(1.3);
     for (const auto& v : {creepage(round, 0, 0.3, -0.2), creepage(round, 0.3, 0, 0), creepage(round, 0, 0, 0.4),
                           creepage(round, 0, -0.2, 0), creepage(round, 0, 0, 0)}) {
-        const TabulatedForce at = table.look_up(round, mu, load, v);
+        const CreepForceTable::Force at = table.look_up(round, mu, load, v);
         const Creepage unit = creepage(round, 1, 1, 1);
         for (const auto& [which, tangent] :
              {std::pair(&Creepage::longitudinal, at.tangent.by_longitudinal),
@@ -305,7 +305,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     for (const double step : {1e-4, 1e-5}) {
         double jump = 0, last = std::numeric_limits<double>::quiet_NaN();
         for (double t = -0.3; t < 0.3; t += step) {
-            const TabulatedForce at = table.look_up(patch, mu, load, creepage(patch, t, 0.7 * t, 0.4 * t));
+            const CreepForceTable::Force at = table.look_up(patch, mu, load, creepage(patch, t, 0.7 * t, 0.4 * t));
             const double now = at.tangent.by_lateral.lateral / (modulus * patch.c() * patch.c());
             if (last == last) jump = std::max(jump, std::abs(now - last));
             last = now;
@@ -334,7 +334,7 @@ TEST_CASE("creep_force_table: far below saturation, between its ellipses") {
         const Creepage v{1e-6, -2e-6, 3e-5 / patch.c()};
         // the larger mu, the fewer digits the splines have
         for (const double ratio : {1e3, 1e9, 1e15}) {
-            const TabulatedForce at = table.look_up(patch, ratio, load, v);
+            const CreepForceTable::Force at = table.look_up(patch, ratio, load, v);
             INFO("a/b = " << a_over_b << ", mu = " << ratio);
             CHECK_THAT(at.force.longitudinal, WithinRel(stiffness * c.c11 * 1e-6, 2e-3));
             CHECK_THAT(at.force.lateral, WithinRel(stiffness * (-2e-6 * c.c22 + 3e-5 * c.c23), 2e-3));
@@ -370,11 +370,11 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(status(square, mu, load, {}) == Status::wrong_table);
 
     for (const double none : {0.0, 1.0}) {  // no friction, no load
-        const TabulatedForce nothing = table.look_up(patch, none * mu, (1 - none) * load, {1e-3, 0, 0});
+        const CreepForceTable::Force nothing = table.look_up(patch, none * mu, (1 - none) * load, {1e-3, 0, 0});
         CHECK(nothing.status == Status::ok);
         CHECK((array(nothing.force) == 0).all());
     }
-    const TabulatedForce tiny =
+    const CreepForceTable::Force tiny =
         table.look_up(patch, mu, 1e-300, {1e-3, 1e-3, 0});  // full sliding under hardly any load
     CHECK(tiny.status == Status::ok);
     CHECK_THAT(tiny.force.lateral, WithinRel(-mu * 1e-300 * std::sqrt(0.5), 0.02));
@@ -466,7 +466,7 @@ TEST_CASE("creep_force_table: the table of steel holds the forces of its patches
     CHECK(grid.largest_a_over_b() == range.largest_a_over_b);
     drawn::Draw draw(1);
     for (const Eigen::Index shape : {0, 4, 7, 12}) {
-        CreepForceSource source(grid.a_over_b(shape), grid.poisson_ratio(), range.n);
+        CreepForceTable::Source source(grid.a_over_b(shape), grid.poisson_ratio(), range.n);
         for (int k = 0; k < 6; ++k) {
             const auto node = static_cast<Eigen::Index>(draw.uniform(0, static_cast<double>(grid.nodes())));
             const Creepage v = grid.creepage(shape, node);

@@ -59,10 +59,10 @@ RadiusDifference formula(const Difference& difference, Eigen::Index n = 20001) {
 TEST_CASE("equivalent_conicity: cones on round rails have their own conicity and Klingel's wave", "[conicity]") {
     const double gamma = 0.05, R = 0.3;
     const WheelsetOnTrack wheelset(on_track(cone(gamma), arc(0.03, R)));
-    const RollingRadii centred = rolling_radii(wheelset, 0);
+    const WheelsetOnTrack::RollingRadii centred = rolling_radii(wheelset, 0);
     REQUIRE(centred.status == Status::ok);
     const double place = -R * std::sin(std::atan(gamma));  // where the rail has the cone's slope
-    for (const RigidContact& contact : centred.wheels) {
+    for (const WheelOnRail::RigidContact& contact : centred.wheels) {
         CHECK(std::abs(contact.rail_y - place) < 1e-8);
         CHECK(std::abs(contact.angle + std::atan(gamma)) < 1e-8);
         CHECK(std::abs(contact.rolling_radius - (radius - gamma * place)) < 1e-9);
@@ -70,7 +70,7 @@ TEST_CASE("equivalent_conicity: cones on round rails have their own conicity and
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
     for (const double amplitude : {1e-4, 1e-3, 3e-3, 8e-3}) {
-        const EquivalentConicity wave = equivalent_conicity(*radii, amplitude);
+        const RadiusDifference::Conicity wave = equivalent_conicity(*radii, amplitude);
         CAPTURE(amplitude, name(wave.status));
         REQUIRE(wave.status == Status::ok);
         CHECK(std::abs(wave.tan_gamma / gamma - 1) < 1e-4);
@@ -90,7 +90,7 @@ TEST_CASE("equivalent_conicity: hollow round wheels on round rails turn as their
     const WheelsetOnTrack wheelset(on_track(arc(0.03, R_w, lateral), arc(0.03, R_r)));
     const auto tilt = [&](double y) { return -std::asin((lateral + y) / (R_w - R_r)); };
     for (const double y : {-4e-3, -1e-3, 0.0, 5e-4, 2e-3}) {
-        const RollingRadii radii = rolling_radii(wheelset, y);
+        const WheelsetOnTrack::RollingRadii radii = rolling_radii(wheelset, y);
         CAPTURE(y, name(radii.status));
         REQUIRE(radii.status == Status::ok);
         CHECK(std::abs(radii.wheels[1].angle - tilt(y)) < 1e-8);
@@ -100,7 +100,7 @@ TEST_CASE("equivalent_conicity: hollow round wheels on round rails turn as their
     }
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const EquivalentConicity wave = equivalent_conicity(*radii, 1e-4);
+    const RadiusDifference::Conicity wave = equivalent_conicity(*radii, 1e-4);
     REQUIRE(wave.status == Status::ok);
     const double expected = R_w / (R_w - R_r) * std::tan(-tilt(0));
     CHECK(std::abs(wave.tan_gamma / expected - 1) < 1e-5);
@@ -113,7 +113,7 @@ TEST_CASE("equivalent_conicity: a smaller wheel shifts the wave, not the conicit
     const WheelsetOnTrack wheelset(on_track(cone(gamma), rail, radius - less), on_track(cone(gamma), rail));
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const EquivalentConicity wave = equivalent_conicity(*radii, 3e-3);
+    const RadiusDifference::Conicity wave = equivalent_conicity(*radii, 3e-3);
     REQUIRE(wave.status == Status::ok);
     // the right one is larger: rolling straight, the wheelset stands to the left
     CHECK(std::abs((wave.y_min + wave.y_max) / 2 + less / (2 * gamma)) < 1e-7);
@@ -126,7 +126,7 @@ TEST_CASE("equivalent_conicity: a mirrored wheelset has the same wave, also wher
         return equivalent_conicity(radius_difference(WheelsetOnTrack(one, two)).value(), 3e-3);
     };
     // Delta r passes 0 where the contact goes over to another place of the rail
-    const EquivalentConicity smaller = wave(radius - 1e-4, radius), larger = wave(radius, radius - 1e-4);
+    const RadiusDifference::Conicity smaller = wave(radius - 1e-4, radius), larger = wave(radius, radius - 1e-4);
     REQUIRE(smaller.status == Status::ok);
     CHECK(std::abs(smaller.wavelength / larger.wavelength - 1) < 1e-7);
     CHECK(std::abs(smaller.y_min + larger.y_max) < 1e-9);
@@ -146,7 +146,7 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
                 b = std::sqrt(a * b);
                 a = mean;
             }
-            const EquivalentConicity wave = equivalent_conicity(radii, amplitude);
+            const RadiusDifference::Conicity wave = equivalent_conicity(radii, amplitude);
             CAPTURE(cubic, amplitude, wave.tan_gamma, a * a);
             REQUIRE(wave.status == Status::ok);
             CHECK(std::abs(wave.tan_gamma / (a * a) - 1) < 1e-6);
@@ -163,14 +163,14 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
     CHECK((order > 3.5 && order < 4.5));
 
     const double step = 1e-3;
-    const EquivalentConicity of_step =
+    const RadiusDifference::Conicity of_step =
         equivalent_conicity(formula([=](double y) { return y < 0   ? -step
                                                            : y > 0 ? step
                                                                    : 0; }), A);
     CHECK(std::abs(of_step.tan_gamma * 16 * A / (std::numbers::pi * std::numbers::pi * step) - 1) < 1e-3);
     CHECK(std::abs(of_step.tan_gamma_linear * std::numbers::pi * A / (2 * step) - 1) < 1e-3);
 
-    const EquivalentConicity cylinder = equivalent_conicity(formula([](double) { return 0.0; }), A);
+    const RadiusDifference::Conicity cylinder = equivalent_conicity(formula([](double) { return 0.0; }), A);
     CHECK((cylinder.status == Status::ok && cylinder.tan_gamma == 0 && std::isinf(cylinder.wavelength)));
 }
 
@@ -232,9 +232,10 @@ TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
 TEST_CASE("rigid_contact: what it does not use may be no number", "[conicity]") {
     const WheelOnRail wheel(s1002(), rail_60e1());
     const double none = std::nan("");
-    const RigidContact contact = rigid_contact(wheel, {.lateral = 2e-3, .yaw = 5e-3}),
-                       same = rigid_contact(
-                           wheel, {.lateral = 2e-3, .height = none, .yaw = 5e-3, .along = none, .pitch = none});
+    const WheelOnRail::RigidContact contact = rigid_contact(wheel, {.lateral = 2e-3, .yaw = 5e-3}),
+                                    same = rigid_contact(
+                                        wheel,
+                                        {.lateral = 2e-3, .height = none, .yaw = 5e-3, .along = none, .pitch = none});
     REQUIRE((contact.status == Status::ok && same.status == Status::ok));
     CHECK((same.height == contact.height && same.y == contact.y && same.rolling_radius == contact.rolling_radius));
     for (const WheelsetPosition& at : {WheelsetPosition{.lateral = none}, {.roll = none}, {.yaw = none}}) {
@@ -249,7 +250,7 @@ TEST_CASE("rigid_contact: where a vanishing load is carried, also rolled and yaw
                                        {.lateral = 4e-3},
                                        {.lateral = 2e-3, .roll = 2e-3, .yaw = 5e-3},
                                        {.lateral = 7.2e-3}}) {
-        const RigidContact rigid = rigid_contact(wheel, at);
+        const WheelOnRail::RigidContact rigid = rigid_contact(wheel, at);
         const WheelOnRail::Contact loaded = wheel.solve_for_load(at, 1, workspace);
         CAPTURE(at.lateral, name(rigid.status), name(loaded.status));
         REQUIRE((rigid.status == Status::ok && has_numbers(loaded.status)));

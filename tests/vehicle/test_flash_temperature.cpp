@@ -77,7 +77,7 @@ TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "
 TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
     RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
     const PatchForce cold = sliding(friction);
-    const auto with = [&](HotFriction hot) {
+    const auto with = [&](Heating::Friction hot) {
         friction.heating->friction = hot;
         return sliding(friction);
     };
@@ -112,7 +112,7 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
 TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {
     const auto why = [](const RollingFriction& friction) { return refusal([&] { sliding(friction); }); };
     const auto heated = [&](const Heating& heating) { return why({.heating = heating}); };
-    const auto hot = [&](const HotFriction& of) { return heated({.friction = of}); };
+    const auto hot = [&](const Heating::Friction& of) { return heated({.friction = of}); };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(why({.coefficient = -1}), ContainsSubstring("coefficient = -1 must be finite and not negative"));
     CHECK_THAT(why({.layer = nan}), ContainsSubstring("layer = nan"));
@@ -133,12 +133,12 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
             // from the place in the plane down to the profile along its normal
             double along = patch.rail_s + s;
             for (int k = 0; k < 20; ++k) {
-                const CurvePoint rail = wheel.geometry().rail_at(along, 0);
+                const RailSurface::Point rail = wheel.geometry().rail_at(along, 0);
                 const double apart =
                     (rail.y - patch.y) * std::cos(patch.angle) + (rail.z - patch.z) * std::sin(patch.angle);
                 along += (s - apart) / (rail.slope[0] * std::cos(patch.angle) + rail.slope[1] * std::sin(patch.angle));
             }
-            const CurvePoint rail = wheel.geometry().rail_at(along, 0);
+            const RailSurface::Point rail = wheel.geometry().rail_at(along, 0);
             CHECK_THAT(patch.surface_y(s) - patch.rail_y, WithinAbs(rail.y - patch.y, 2e-5));
             CHECK_THAT(patch.surface_angle(s), WithinAbs(std::atan2(rail.slope[1], rail.slope[0]), 0.02));
         }

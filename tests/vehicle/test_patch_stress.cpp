@@ -27,10 +27,10 @@ PatchForce rolling(const RailPatch& patch, double mu,
 TEST_CASE("The stress below a ball without friction agrees with Hertz's on the axis", "[profiles]") {
     const double a = 5e-3, nu = 0.28;
     const RailPatch patch = testing::hertz_patch(a, a, 8e4);
-    const std::vector<StripStress> strips = stresses_below(rolling(patch, 0), nu);
+    const std::vector<Yield::Peak> strips = stresses_below(rolling(patch, 0), nu);
     REQUIRE(strips.size() == 11);
     const auto worst = std::max_element(strips.begin(), strips.end(), [](const auto& one, const auto& other) {
-        return one.peak.largest.tresca < other.peak.largest.tresca;
+        return one.largest.tresca < other.largest.tresca;
     });
     double largest = 0, depth = 0;  // Johnson 1985, Eq. (3.45)
     for (double z = 0.1; z < 2; z += 1e-3) {
@@ -39,28 +39,28 @@ TEST_CASE("The stress below a ball without friction agrees with Hertz's on the a
         largest = std::abs(along - around) / 2;
         depth = z;
     }
-    CHECK_THAT(worst->s, WithinAbs(0, 1e-12));
-    CHECK_THAT(worst->peak.largest.tresca, WithinRel(largest * patch.peak_pressure, 0.02));
-    CHECK_THAT(worst->peak.tresca_depth, WithinRel(depth * a, 0.05));
+    CHECK_THAT(worst->y, WithinAbs(0, 1e-12));
+    CHECK_THAT(worst->largest.tresca, WithinRel(largest * patch.peak_pressure, 0.02));
+    CHECK_THAT(worst->tresca_depth, WithinRel(depth * a, 0.05));
 }
 
 TEST_CASE("Stresses below a mirror image are mirror images, and grow with friction", "[profiles]") {
     const RailPatch patch = testing::hertz_patch(4e-3, 6e-3, 8e4);
     const PatchForce friction = rolling(patch, 0.4);
-    const std::vector<StripStress> own = stresses_below(friction, 0.28);
+    const std::vector<Yield::Peak> own = stresses_below(friction, 0.28);
     for (const Mirror& mirror : {Mirror::reversing_x(), Mirror::across_track()}) {
-        const std::vector<StripStress> image = stresses_below(mirrored(friction, mirror), 0.28);
+        const std::vector<Yield::Peak> image = stresses_below(mirrored(friction, mirror), 0.28);
         const auto [x, y, z] = mirror.of_vector();
         REQUIRE(image.size() == own.size());
         for (std::size_t k = 0; k < own.size(); ++k) {
-            const StripStress& other = image[y < 0 ? own.size() - 1 - k : k];
-            CHECK_THAT(other.s, WithinAbs(y * own[k].s, 1e-12));
+            const Yield::Peak& other = image[y < 0 ? own.size() - 1 - k : k];
+            CHECK_THAT(other.y, WithinAbs(y * own[k].y, 1e-12));
             CHECK_THAT(other.x, WithinAbs(x * own[k].x, 1e-12));
-            CHECK_THAT(other.peak.largest.von_mises, WithinRel(own[k].peak.largest.von_mises, 1e-6));
+            CHECK_THAT(other.largest.von_mises, WithinRel(own[k].largest.von_mises, 1e-6));
         }
     }
-    CHECK(own[5].peak.largest.von_mises > 1.05 * stresses_below(rolling(patch, 0), 0.28)[5].peak.largest.von_mises);
-    const ShakedownPoint at = shakedown_point(patch, friction, 3e8);
+    CHECK(own[5].largest.von_mises > 1.05 * stresses_below(rolling(patch, 0), 0.28)[5].largest.von_mises);
+    const Yield::Shakedown at = shakedown_point(patch, friction, 3e8);
     CHECK(at.traction < 0.4);
     CHECK_THAT(at.load_factor, WithinRel(patch.peak_pressure / 3e8, 1e-12));
     CHECK(stresses_below(PatchForce{}, 0.28).empty());

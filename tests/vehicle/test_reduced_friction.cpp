@@ -60,7 +60,7 @@ TEST_CASE("reduced_friction: without reduction and fall, the numbers of the tabl
             const PatchContact patch = ellipse(draw.decades(-0.9, 1.1));
             const Creepage v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
             const ReducedFriction::Force now = none.look_up(steel(), patch, mu_0, load, 30, v);
-            const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
+            const CreepForceTable::Force table = steel().look_up(patch, mu_0, load, v);
             REQUIRE(now.status == Status::ok);
             CHECK(now.a_over_b_on_table == table.a_over_b_on_table);
             CHECK(now.friction_coefficient == mu_0);
@@ -81,7 +81,7 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
     const ReducedFriction friction(wet);
     const PatchContact patch = ellipse(1.7);
     const double slope = (wet.adhesion_factor + wet.slip_factor) / 2, stiffness = modulus * patch.c() * patch.c();
-    const TabulatedForce rest = steel().look_up(patch, mu_0, load, {});
+    const CreepForceTable::Force rest = steel().look_up(patch, mu_0, load, {});
     for (const double size : {0.0, 1e-9}) {  // beside rest as at it
         const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, 20, {size, size, size});
         const auto scaled = [&](const TangentialForce& one, const TangentialForce& by) {
@@ -227,7 +227,7 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
         REQUIRE(solved.status == Status::ok);
         REQUIRE(clean.status == Status::ok);
         const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, speed, v);
-        const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
+        const CreepForceTable::Force table = steel().look_up(patch, mu_0, load, v);
         const Eigen::Array3d error = ((array(now.force) - array(solved.force)) / scale).abs();
         const Eigen::Array3d of_table = ((array(table.force) - array(clean.force)) / scale).abs();
         ignored = std::max(ignored, ((array(table.force) - array(solved.force)) / scale).abs().maxCoeff());

@@ -32,11 +32,11 @@ constexpr double pi = std::numbers::pi, nu = 0.28, mu = 0.3, load = 8e4;
 const PatchContact ellipse({6e-3, 4e-3, 8.2e10, nu});
 constexpr CreepCoefficients<double> kalker{4.8, 4.4, 2.0, -2.0, 0.9};
 
-SimplifiedTheory theory(const SimplifiedMesh& mesh) { return {ellipse, kalker, mu, load, mesh}; }
+SimplifiedTheory theory(const SimplifiedTheory::Mesh& mesh) { return {ellipse, kalker, mu, load, mesh}; }
 
 enum class By { fastsim, fastrip };
-TangentialForce force(By which, const Creepage& at, const SimplifiedMesh& mesh) {
-    const SimplifiedForce found = which == By::fastsim ? theory(mesh).fastsim(at) : theory(mesh).fastrip(at);
+TangentialForce force(By which, const Creepage& at, const SimplifiedTheory::Mesh& mesh) {
+    const SimplifiedTheory::Force found = which == By::fastsim ? theory(mesh).fastsim(at) : theory(mesh).fastrip(at);
     REQUIRE(found.status == Status::ok);
     return found.force;
 }
@@ -48,20 +48,21 @@ Creepage creepage(double x, double y, double spin) {
 
 TEST_CASE("Small creepages have the forces of Kalker's coefficients", "[simplified]") {
     const By which = GENERATE(By::fastsim, By::fastrip);
-    const auto bound = GENERATE(TractionBound::parabolic, TractionBound::elliptic);
+    const auto bound = GENERATE(SimplifiedTheory::Bound::parabolic, SimplifiedTheory::Bound::elliptic);
     constexpr double small = 1e-7;
-    const SimplifiedMesh mesh{.strips = 60, .elements = 60, .bound = bound};
+    const SimplifiedTheory::Mesh mesh{.strips = 60, .elements = 60, .bound = bound};
     CHECK(force(which, creepage(small, 0, 0), mesh).longitudinal == Approx(-small * mu * load).epsilon(1e-5));
     CHECK(force(which, creepage(0, small, 0), mesh).lateral == Approx(-small * mu * load).epsilon(1e-5));
     CHECK(force(which, creepage(0, 0, small), mesh).lateral == Approx(-small * mu * load).epsilon(2e-4));
 }
 
 TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the rigid bodies", "[simplified]") {
-    const SimplifiedMesh mesh{.strips = 40, .elements = 40};
+    const SimplifiedTheory::Mesh mesh{.strips = 40, .elements = 40};
     const double bound = mu * load;
     CHECK(force(By::fastsim, {1, 0, 0}, {3, 1}).longitudinal == Approx(-bound).epsilon(1e-12));
     CHECK(force(By::fastsim, {0, -1, 0}, mesh).lateral == Approx(bound).epsilon(1e-12));
-    CHECK(force(By::fastsim, {0, -1, 0}, {40, 40, TractionBound::elliptic}).lateral == Approx(bound).epsilon(1e-5));
+    CHECK(force(By::fastsim, {0, -1, 0}, {40, 40, SimplifiedTheory::Bound::elliptic}).lateral ==
+          Approx(bound).epsilon(1e-5));
     for (const Creepage& at : {Creepage{3, -4, 0}, {100, 200, 3e4}, {0, 0, 1e5}, {-100, -100, -5e4}}) {
         const auto found = force(By::fastrip, at, {100, 1600});
         const auto exact = full_sliding(ellipse.a_over_b(), at.longitudinal, at.lateral, at.spin * ellipse.c());
@@ -93,11 +94,11 @@ struct WideStrip {
     double peak = 1e-3;  // mu p0, of half-length and G of 1
     int elements;
     TangentialForce force{0, 0, 0};  // over the force of full sliding
-    std::vector<SimplifiedElement> found;
+    std::vector<SimplifiedTheory::Element> found;
 
     WideStrip(const Creepage& at, int count, int strip = 4) : elements(count) {
         const SimplifiedTheory theory(contact, limit, 1, peak * 2 * pi * 1e3 / 3, {9, count});
-        const auto status = theory.fastrip(at, [&](const SimplifiedElement& element) {
+        const auto status = theory.fastrip(at, [&](const SimplifiedTheory::Element& element) {
             if (element.strip != strip) return;
             found.push_back(element);
             for (std::size_t k = 0; k < 2; ++k) {
@@ -115,7 +116,7 @@ TEST_CASE("FaStrip's middle strip of a very wide ellipse is Carter's solution", 
     const WideStrip along({unit * (1 - nu) * delta, 0, 0}, 400), across({0, -unit * delta, 0}, 400);
     CHECK(-along.force.longitudinal == Approx(carter_force_ratio(delta)).epsilon(1e-3));
     CHECK(across.force.lateral == Approx(carter_force_ratio(delta)).epsilon(1e-3));
-    for (const SimplifiedElement& element : along.found) {
+    for (const SimplifiedTheory::Element& element : along.found) {
         const double exact = carter_friction_traction(element.x, delta);
         CHECK(std::abs(element.traction[0] / along.peak - exact) < 2e-2);
         CHECK(element.slips == (element.x <= carter_stick_border(delta)));
@@ -125,7 +126,7 @@ TEST_CASE("FaStrip's middle strip of a very wide ellipse is Carter's solution", 
 TEST_CASE("A strip of FaStrip that the spin moves as creepage moves it back sticks", "[simplified]") {
     const double spin = 1e-3, y = WideStrip({0, 0, spin}, 10, 6).found[0].y;
     REQUIRE(y > 100);
-    for (const SimplifiedElement& element : WideStrip({spin * y, 0, spin}, 50, 6).found) {
+    for (const SimplifiedTheory::Element& element : WideStrip({spin * y, 0, spin}, 50, 6).found) {
         CHECK(std::abs(element.traction[0]) < 1e-9);
         CHECK(element.traction[1] < 0);
         CHECK(!element.slips);
@@ -162,11 +163,12 @@ TEST_CASE("FASTSIM is the one of CONTACT on finer and finer grids", "[simplified
     const CreepCoefficients<double> c{8 * a / (3 * G * 0.4937e-4), 8 * a / (3 * G * 0.5152e-4),
                                       pi * a * std::sqrt(2.0) / (4 * G * 0.4090e-4), 0, 0};
     struct Published {
-        TractionBound bound;
+        SimplifiedTheory::Bound bound;
         double lateral[2], moment[2];
     };
-    for (const Published& published : {Published{TractionBound::parabolic, {-.6118, -.6359}, {-3.900e4, -3.798e4}},
-                                       Published{TractionBound::elliptic, {-.6016, -.5956}, {-4.829e4, -4.530e4}}}) {
+    for (const Published& published :
+         {Published{SimplifiedTheory::Bound::parabolic, {-.6118, -.6359}, {-3.900e4, -3.798e4}},
+          Published{SimplifiedTheory::Bound::elliptic, {-.6016, -.5956}, {-4.829e4, -4.530e4}}}) {
         const auto limit = [](const double(&at)[2]) { return at[1] + (at[1] - at[0]) / 4; };
         const SimplifiedTheory theory(contact, c, 0.3, 8.2e4, {400, 400, published.bound});
         const auto found = theory.fastsim({0, -6.25e-4, 0.625}).force;
@@ -195,7 +197,7 @@ TEST_CASE("Elements of simplified theory converge, and heat is the work of creep
         std::vector<double> counts, errors;
         for (const int n : {10, 20, 40}) {
             double heat = 0, area = 0;
-            const auto found = theory({100, n}).fastsim(moved, [&](const SimplifiedElement& element) {
+            const auto found = theory({100, n}).fastsim(moved, [&](const SimplifiedTheory::Element& element) {
                 heat -= element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
                 area += element.area;
             });
@@ -218,7 +220,7 @@ TEST_CASE("Simplified theory refuses creepages whose tractions overflow, and no 
     constexpr double huge = (std::numeric_limits<double>::max)();
     for (const double size : {1e300, huge}) {
         for (const auto& at : {Creepage{size, 0, 0}, {0, -size, 0}, {0, 0, size}, {size, size, -size}}) {
-            const SimplifiedForce refused = found(theory({}), at);
+            const SimplifiedTheory::Force refused = found(theory({}), at);
             CAPTURE(size, at.longitudinal, at.lateral, at.spin);
             CHECK(refused.status == Status::not_finite);
             CHECK(std::isnan(refused.force.longitudinal + refused.force.lateral));
@@ -227,22 +229,22 @@ TEST_CASE("Simplified theory refuses creepages whose tractions overflow, and no 
     // forces equal the forces of sliding up to the largest creepages that are taken
     const double unit = kalker.c22 * ellipse.shear_modulus();
     for (double exponent = 280; exponent < 308; exponent += 0.125) {
-        const SimplifiedForce at_edge = found(theory({40, 40}), {0, -std::pow(10, exponent) / unit, 0});
+        const SimplifiedTheory::Force at_edge = found(theory({40, 40}), {0, -std::pow(10, exponent) / unit, 0});
         if (at_edge.status == Status::ok) CHECK(at_edge.force.lateral == Approx(mu * load).epsilon(1e-3));
     }
     // the stick zone of a mu next to nothing is larger than any number
     const SimplifiedTheory smooth(ellipse, kalker, 1e-290, load, {40, 40});
-    const SimplifiedForce slides = found(smooth, {0, -1e20, 1e-292});
+    const SimplifiedTheory::Force slides = found(smooth, {0, -1e20, 1e-292});
     REQUIRE(slides.status == Status::ok);
     CHECK(slides.force.lateral / (1e-290 * load) == Approx(1).epsilon(1e-3));
     // a bound beyond all numbers: FASTSIM never reaches it, FaStrip needs it
-    const SimplifiedForce rough = found(SimplifiedTheory(ellipse, kalker, 1e300, load), {1e-4, 0, 0});
+    const SimplifiedTheory::Force rough = found(SimplifiedTheory(ellipse, kalker, 1e300, load), {1e-4, 0, 0});
     CHECK(rough.status == (which == By::fastsim ? Status::ok : Status::not_finite));
     CHECK(std::isnan(rough.force.longitudinal) == (rough.status != Status::ok));
 }
 
 TEST_CASE("Simplified theory refuses what it cannot take", "[simplified]") {
-    const auto made = [](double c23, double friction, double N, SimplifiedMesh mesh) {
+    const auto made = [](double c23, double friction, double N, SimplifiedTheory::Mesh mesh) {
         return refusal([=] { SimplifiedTheory(ellipse, {4, 4, c23, -1, 1}, friction, N, mesh); });
     };
     CHECK(made(1, 0.3, 1e5, {}).empty());

@@ -77,7 +77,7 @@ TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to
     };
     for (const double turn : {-0.6, 0.0, 0.2, 1.1}) {
         const SemiAxes axes = axes_of(1.6);
-        const RollingEllipse at = rolling_ellipse(axes, turn);
+        const SemiAxes::AlongRolling at = rolling_ellipse(axes, turn);
         const auto [a, b] = axes;
         const double h = 2e-5;
         const auto check = [&](const SemiAxes& slope, const SemiAxes& more, const SemiAxes& less, double step,
@@ -95,7 +95,7 @@ TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to
         check(at.by_half_width, rolling_ellipse({a, b * (1 + h)}, turn).axes,
               rolling_ellipse({a, b * (1 - h)}, turn).axes, b * h, 1);
 
-        const TabulatedForce now = force_at(at.axes);
+        const CreepForceTable::Force now = force_at(at.axes);
         REQUIRE(now.status == Status::ok);
         const Eigen::Vector3d by_turn = vector(at.by_turn.half_length * now.tangent_by_half_length +
                                                at.by_turn.half_width * now.tangent_by_half_width);
@@ -122,8 +122,9 @@ TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by a
     CHECK(straight.along_rolling().half_width() == straight.half_width());
 
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
-    CHECK_THAT(refusal([&] { HertzPatchLoad::breathing(turned, contact, mesh); }), ContainsSubstring("along_rolling"));
-    const auto hertz = HertzPatchLoad::breathing(along, contact, mesh);
+    CHECK_THAT(refusal([&] { HertzEllipse::Load::breathing(turned, contact, mesh); }),
+               ContainsSubstring("along_rolling"));
+    const auto hertz = HertzEllipse::Load::breathing(along, contact, mesh);
     NormalLoad now = hertz.at(load);
     CHECK(hertz.set(with_yaw(0.03), now) == Status::invalid_load);
     CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == Status::ok);

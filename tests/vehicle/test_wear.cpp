@@ -185,7 +185,7 @@ WheelForces::Point loaded_point() {
 
 TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     const WheelForces::Point point = loaded_point();
-    const auto refused = [&](double coefficient, const SimplifiedMesh& mesh) {
+    const auto refused = [&](double coefficient, const SimplifiedTheory::Mesh& mesh) {
         return refusal([&] { strip_work_of(point, creep(), coefficient, mesh); });
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -310,7 +310,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
         const Eigen::ArrayXd means = wear.at_points(rail);
         CHECK((means * lengths_at_points(rail)).sum() == Approx(sum).epsilon(1e-9));
         // worn area = the law's sum, however it is spread
-        const Eigen::ArrayXd area = spread(rail, 1e4 * means, Eigen::ArrayXd::Constant(rail.size(), 1e-6));
+        const Eigen::ArrayXd area = spread(rail, 1e4 * means, 1e-3);
         CHECK((area * lengths_at_points(rail)).sum() == Approx(1e4 * sum).epsilon(1e-9));
         CHECK(area.minCoeff() >= 0);
         const Profile after = worn_by_area(rail, area, Profile::Use::rail);

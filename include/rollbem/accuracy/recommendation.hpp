@@ -168,7 +168,8 @@ inline Recommendation<AnyScheme> recommended_scheme(double tolerance, Purpose::F
 /// Strips of equal width, an odd number of them, and the cosine mesh along each. With spin the direction of slip turns
 /// about a point inside the contact: cosine strips are widest there, and an even number of strips has an edge through
 /// the middle, which makes the error of spin alone larger. In full adhesion, by contrast, cosine strips are better.
-struct RecommendedPatch {
+template <>
+struct Recommendation<PatchMesh<double>> {
     Eigen::Index n = 0;  ///< elements in each strip
     Eigen::Index strips = 0;
     double error_bound = 0;   ///< bound of the errors of |F_x| and |F_y| over mu N, at most the required tolerance
@@ -198,12 +199,12 @@ Eigen::Index recommended_strips(Eigen::Index n, double a_over_b);
 /// Richardson extrapolation is not used: it lowers the mean error, but with spin not the largest one, as the border of
 /// slip jumps from element to element.
 ///
-///     const RecommendedPatch best = recommended_patch(0.02, contact.a_over_b());  // a/b = 1: 16 x 9
+///     const auto best = recommended_patch(0.02, contact.a_over_b());  // a/b = 1: 16 x 9
 ///     const PatchMesh<double> mesh = best.mesh(contact);
 ///
 /// Throws std::invalid_argument unless 0.1 <= a_over_b <= 25, spin >= 0 and tolerance < 1 is large enough for n = 32.
-RecommendedPatch recommended_patch(double tolerance, double a_over_b,
-                                   double spin = std::numeric_limits<double>::infinity());
+Recommendation<PatchMesh<double>> recommended_patch(double tolerance, double a_over_b,
+                                                    double spin = std::numeric_limits<double>::infinity());
 
 /// d force / d dq [N/m] of a step over the distance dq [m] >= 0 in a contact of half-length a [m]. `force_at(dq)` is
 /// the force, a number or a TangentialForce, of a step from the same state under the same rigid shift and the same load

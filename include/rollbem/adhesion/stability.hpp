@@ -15,22 +15,18 @@
 
 namespace rollbem {
 
-/// Result of count_unstable.
-struct UnstableCount {
-    Eigen::Index n = 0;
-    Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
-    double flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
-    double rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
-    Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
-};
-
-/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
-/// Re(mu) have the same sign.
-UnstableCount count_unstable(const RollingSystem<double>& system);
-
 /// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. The base
 /// class holds the verdict of judge_stability; solve_stability settles no sign, and all are uncertain.
 struct StabilityResult : StabilityVerdict {
+    /// Result of count_unstable.
+    struct Count {
+        Eigen::Index n = 0;
+        Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
+        double flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
+        double rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+        Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
+    };
+
     /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
     /// are adjacent.
     VectorX<std::complex<double>> alpha;
@@ -47,6 +43,10 @@ struct StabilityResult : StabilityVerdict {
     /// The eigenvalues as numbers; infinite ones are (inf, 0).
     VectorX<std::complex<double>> eigenvalues() const;
 };
+
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
+/// Re(mu) have the same sign.
+StabilityResult::Count count_unstable(const RollingSystem<double>& system);
 
 /// Finds all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (Eigen::RealQZ), without vectors. If it does
 /// not converge, the status is ill_conditioned.

@@ -40,59 +40,6 @@
 
 namespace rollbem {
 
-/// Everything that the next step needs to know about the past. A copy is a checkpoint; a state written to a file and
-/// read back continues identically to the last bit.
-struct AdhesionState {
-    VectorX<double> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
-    std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
-    double half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
-    /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and changes
-    /// results by round-off only.
-    double distance = 0;
-    double half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
-};
-
-/// Result of a step or of steady rolling. NaN unless the status is ok. With one direction forces and their derivatives
-/// are numbers, with two TangentialForce and CreepageTangent.
-template <int directions = 1>
-struct AdhesionStep {
-    using Force = detail::ForceAlong<directions>;
-    using Tangent = detail::TangentAlong<directions>;
-
-    Force force = detail::nothing<Force>();            ///< 2b F_bar on body 1 [N]
-    Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
-    /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
-    Tangent tangent = detail::nothing<Tangent>();
-    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steady
-    /// rolling, for steps without a given half-length, and if the model cannot breathe.
-    Force tangent_by_half_length = detail::nothing<Force>();
-    /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
-    /// FrictionStep::tangent_by_load.
-    Force tangent_by_half_width = detail::nothing<Force>();
-    Status status = Status::not_finite;
-};
-
-/// A workspace is made by a model and fits any model with the same number of unknowns and directions. The matrices for
-/// steps of one distance are kept as long as model and distance stay the same, so contacts that are stepped in turn
-/// should each have their own workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
-template <int directions = 1>
-class AdhesionWorkspace {
-public:
-    /// A workspace for n unknowns.
-    explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
-
-    Eigen::Index size() const { return factors_.size(); }
-
-    detail::StageFactors& factors() { return factors_; }              ///< for the models
-    detail::AdhesionStages<directions>& stages() { return stages_; }  ///< for the models
-    detail::StepMap<directions>& map() { return map_; }               ///< for the models
-
-private:
-    detail::StageFactors factors_;
-    detail::AdhesionStages<directions> stages_;
-    detail::StepMap<directions> map_;
-};
-
 /// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin,
 /// where the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. SI units.
 ///
@@ -101,7 +48,7 @@ private:
 ///
 /// int main() {
 ///     using namespace rollbem;
-///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const Contact contact({5e-3, 0.05, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
 ///     const AdhesionModel<> model(contact, rolling_system(Chebyshev{8}, StripKernel<double>::longitudinal(contact)),
 ///                                 unchecked);  // Chebyshev states are stable for any number
 ///     Run run(model);
@@ -126,23 +73,74 @@ private:
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
 ///     const AdhesionModel model(contact, system, judge_stability(system));
-///     AdhesionWorkspace<> workspace = model.workspace();
-///     AdhesionState now = model.at_rest(), next = now;
-///     const AdhesionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // now stays as it is
+///     auto workspace = model.workspace();
+///     auto now = model.at_rest(), next = now;
+///     const auto step = model.advance(now, {dq, creepage}, next, workspace);  // now stays as it is
 ///     if (accepted) std::swap(now, next);
 ///
 /// Both creepages and spin, on a line or on a patch:
 ///
 ///     const ElementSystem system(longitudinal, lateral);
 ///     const AdhesionModel model(contact, system, judge_stability(system.joined()));
-///     const AdhesionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
+///     const auto step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 template <int directions_ = 1>
 class AdhesionModel {
 public:
     static constexpr int directions = directions_;
-    using State = AdhesionState;
-    using Step = AdhesionStep<directions>;
-    using Workspace = AdhesionWorkspace<directions>;
+
+    /// Everything that the next step needs to know about the past. A copy is a checkpoint; a state written to a file
+    /// and read back continues identically to the last bit.
+    struct State {
+        VectorX<double>
+            traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
+        std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
+        double half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
+        /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and
+        /// changes results by round-off only.
+        double distance = 0;
+        double half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
+    };
+
+    /// Result of a step or of steady rolling. NaN unless the status is ok. With one direction forces and their
+    /// derivatives are numbers, with two TangentialForce and TangentialForce::ByCreepage.
+    struct Step {
+        using Force = detail::ForceAlong<directions>;
+        using Tangent = detail::TangentAlong<directions>;
+
+        Force force = detail::nothing<Force>();            ///< 2b F_bar on body 1 [N]
+        Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
+        /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
+        Tangent tangent = detail::nothing<Tangent>();
+        /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steady
+        /// rolling, for steps without a given half-length, and if the model cannot breathe.
+        Force tangent_by_half_length = detail::nothing<Force>();
+        /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
+        /// FrictionStep::tangent_by_load.
+        Force tangent_by_half_width = detail::nothing<Force>();
+        Status status = Status::not_finite;
+    };
+
+    /// A workspace is made by a model and fits any model with the same number of unknowns and directions. The matrices
+    /// for steps of one distance are kept as long as model and distance stay the same, so contacts that are stepped in
+    /// turn should each have their own workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same
+    /// time.
+    class Workspace {
+    public:
+        /// A workspace for n unknowns.
+        explicit Workspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
+
+        Eigen::Index size() const { return factors_.size(); }
+
+        detail::StageFactors& factors() { return factors_; }              ///< for the models
+        detail::AdhesionStages<directions>& stages() { return stages_; }  ///< for the models
+        detail::StepMap<directions>& map() { return map_; }               ///< for the models
+
+    private:
+        detail::StageFactors factors_;
+        detail::AdhesionStages<directions> stages_;
+        detail::StepMap<directions> map_;
+    };
+
     using Force = typename Step::Force;               ///< a number, or TangentialForce
     using Value = detail::CreepageAlong<directions>;  ///< a number, or Creepage
     using Motion = RigidMotion<Value>;

@@ -73,9 +73,24 @@ ElementSystem<Scalar, 2> breathing_system(const PatchContact& contact, const Pat
 /// rolling of any of them. Systems at nodes a constant factor in a/b apart are made once; between the nodes entries are
 /// interpolated over ln(a/b) by cubics. Copies share the systems. Immutable: threads may share it.
 ///
-///     const PatchShapes<double> shapes(12, 12, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
-///     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes), friction);
-///     model.advance(now, {dq, creepage, load}, next, workspace);  // load.half_length and half_width as they are then
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
+///     const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
+///     const PatchShapes<double> shapes(6, 6, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
+///     const FrictionModel model(contact, shapes.system(contact.a_over_b()), unchecked,
+///                               {0.3, hertz_pressures(contact, mesh, 80e3)});
+///     Run run(model);
+///     NormalLoad load;  // at the end of a step, with any semi-axes
+///     load.normal_pressure = hertz_pressures(contact, mesh, 80e3);
+///     load.half_length = 6.1e-3;
+///     load.half_width = 4.05e-3;
+///     return run.advance({1e-3, Creepage{1e-3}, load}).status == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 template <class Scalar_ = double>
 class PatchShapes {
 public:
@@ -98,33 +113,7 @@ public:
     /// Takes any mesh along each strip, and across them.
     template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
     PatchShapes(const Mesh<Scalar>& along, const Mesh<Scalar>& across, const Scheme& scheme, const Kernel& kernel,
-                const Range& range = {})
-        : circle_(patch_elements(ellipse_mesh<Scalar>(1, along, across), scheme)),
-          mirrored_(ellipse_mesh<Scalar>(1, along, across).is_mirrored()),
-          strips_(across.size()) {
-        detail::require(range.least > 0, "PatchShapes", "least a/b", range.least, "be positive");
-        detail::require(detail::is_finite(range.largest) && range.largest > range.least, "PatchShapes", "largest a/b",
-                        range.largest, "be finite and more than the least");
-        detail::require(range.factor > 1 && range.factor <= 2, "PatchShapes", "factor from node to node", range.factor,
-                        "be more than 1 and at most 2");
-        auto set = std::make_shared<detail::ShapeSet<Scalar>>();
-        const Scalar length = std::log(range.largest / range.least);
-        const int count =
-            (std::max)(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
-        set->first = std::log(range.least);
-        set->step = length / static_cast<Scalar>(count - 1);
-        // the same kind for all, as entries of the two kinds cannot be interpolated
-        const bool over_width = detail::has_wide_strips(ellipse_mesh<Scalar>(range.least, along, across));
-        for (int k = 0; k < count; ++k) {
-            const Scalar a_over_b = std::exp(set->first + static_cast<Scalar>(k) * set->step);
-            set->nodes.push_back(detail::shape_node(ellipse_mesh<Scalar>(a_over_b, along, across), scheme, kernel,
-                                                    1 / std::sqrt(a_over_b), over_width));
-        }
-        set->zeta = circle_.x;
-        set->upsilon = circle_.y;
-        set->coupled = kernel.couples();
-        set_ = std::move(set);
-    }
+                const Range& range = {});
 
     Eigen::Index size() const { return circle_.size(); }  ///< number of elements
     std::size_t node_count() const { return set_->nodes.size(); }

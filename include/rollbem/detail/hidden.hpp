@@ -25,6 +25,11 @@ public:
     }
     ~Hidden() = default;
 
+    /// Owns this object from the start.
+    explicit Hidden(Type&& object)
+        : copy_([](const Type& own) { return new Type(own); }),
+          object_(new Type(std::move(object)), [](Type* own) { delete own; }) {}
+
     Type& made() {
         if (!object_) {
             object_ = {new Type, [](Type* object) { delete object; }};
@@ -32,6 +37,7 @@ public:
         }
         return *object_;
     }
+    Type* find() const noexcept { return object_.get(); }  ///< null if there is none
     /// The object, which must have been made.
     const Type& get() const { return *object_; }
 

@@ -1,5 +1,6 @@
-// LU with partial pivoting in memory that the caller owns, for steps that must not allocate. Eigen's decomposition
-// keeps its permutation on the heap, or has a different type for every bound on the size.
+// LU with partial pivoting, and products with triangles, in memory that the caller owns, for steps that must not
+// allocate. Eigen's decomposition keeps its permutation on the heap, or has a different type for every bound on the
+// size.
 #pragma once
 
 #include "language.hpp"
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "../types.hpp"
 #include "finite.hpp"
 
 namespace rollbem::detail {
@@ -58,6 +60,49 @@ Eigen::Matrix<Scalar, 4, 1> dot_four(const Scalar* from, Eigen::Index stride, co
         for (Eigen::Index k = 0; k < 4; ++k) result[k] += from[k * stride + i] * x[i];
     }
     return result;
+}
+
+enum class Triangle { lower, upper };
+
+/// Number of rows that multiply_triangle() takes together; the least multiple of it that is no less than `count`.
+inline constexpr Eigen::Index triangle_rows = 8;
+inline Eigen::Index whole_blocks(Eigen::Index count) {
+    return (count + triangle_rows - 1) / triangle_rows * triangle_rows;
+}
+
+/// The first `count` rows of y become A x, where A is triangular in its first `count` rows and columns. A, zero beside
+/// its triangle, and y have whole_blocks() of rows; what follows in y is overwritten. The sum of a row goes by panels
+/// of columns, as in Eigen's products of panels.
+template <Triangle triangle, class Scalar>
+void multiply_triangle(const MatrixX<Scalar>& A, Eigen::Index count, const VectorX<Scalar>& x, VectorX<Scalar>& y) {
+    using Block = Eigen::Array<Scalar, triangle_rows, 1>;
+    constexpr Eigen::Index panel = 16;
+    for (Eigen::Index i = 0; i < count; i += triangle_rows) {
+        const Eigen::Index last = triangle == Triangle::lower ? std::min(count, i + triangle_rows) : count;
+        Block total = Block::Zero();
+        for (Eigen::Index j = triangle == Triangle::lower ? 0 : i; j < last;) {
+            const Eigen::Index end = std::min(last, (j / panel + 1) * panel);
+            Block sum = Block::Zero();
+            for (; j < end; ++j) sum += Eigen::Map<const Block>(&A(i, j)) * x[j];
+            total += sum;
+        }
+        Eigen::Map<Block> rows(&y[i]);
+        rows = total;
+    }
+}
+
+/// y = A^T x of the same triangle, by four columns.
+template <Triangle triangle, class Scalar>
+void multiply_transposed(const MatrixX<Scalar>& A, Eigen::Index count, const VectorX<Scalar>& x, VectorX<Scalar>& y) {
+    for (Eigen::Index j = 0; j < count; j += 4) {
+        const Eigen::Index width = std::min<Eigen::Index>(4, count - j), row = triangle == Triangle::lower ? j : 0;
+        const Eigen::Index height = (triangle == Triangle::lower ? count : j + width) - row;
+        if (width == 4) {
+            y.template segment<4>(j) = dot_four<Scalar>(&A(row, j), A.outerStride(), &x[row], height);
+        } else {
+            y.segment(j, width) = A.block(row, j, height, width).transpose().lazyProduct(x.segment(row, height));
+        }
+    }
 }
 
 /// Eliminates the first `count` of n unknowns in the n x n matrix A; rows are swapped whole, row k < count with row

@@ -76,26 +76,26 @@ private:
 /// The layout of the elements of a mesh; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 
-/// A number besides n that determines graded meshes [-].
-struct GradingInfo {
-    const char* name;  ///< as in the programs' columns; in their options with a dash
-    const char* meaning;
-    double usual;  ///< default of the programs
-};
-
-/// All grading numbers.
-inline constexpr std::array<GradingInfo, 2> gradings{{
-    {"size_ratio", "width of the trailing element over the leading one's", 2},
-    {"epsilon", "width of an end element over an inner one's", 0.4},
-}};
-
 /// Facts about a topology.
 struct TopologyInfo {
+    /// A number besides n that determines graded meshes [-].
+    struct Grading {
+        const char* name;  ///< as in the programs' columns; in their options with a dash
+        const char* meaning;
+        double usual;  ///< default of the programs
+    };
+
     Topology topology;
     const char* name;          ///< as in the programs' options
     std::string_view grading;  ///< the name of one of the gradings; empty if it takes none
     Eigen::Index least_n;      ///< fewest elements
 };
+
+/// All grading numbers.
+inline constexpr std::array<TopologyInfo::Grading, 2> gradings{{
+    {"size_ratio", "width of the trailing element over the leading one's", 2},
+    {"epsilon", "width of an end element over an inner one's", 0.4},
+}};
 
 /// All topologies, in the order of the enumeration.
 inline constexpr std::array<TopologyInfo, 5> topologies{{

@@ -19,12 +19,6 @@
 
 namespace rollbem {
 
-/// An element of a patch [m], x_1 < x_2 and y_1 < y_2.
-template <class Scalar>
-struct Rectangle {
-    Scalar x_1, x_2, y_1, y_2;
-};
-
 /// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
 /// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
 ///
@@ -45,6 +39,11 @@ public:
     using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
 
+    /// An element of a patch [m], x_1 < x_2 and y_1 < y_2.
+    struct Rectangle {
+        Scalar x_1, x_2, y_1, y_2;
+    };
+
     struct Data {
         Mesh<Scalar> along;  ///< the n elements of each strip, between -1 and 1
         Array edges;         ///< m + 1 edges of the strips, y
@@ -54,19 +53,7 @@ public:
     };
 
     /// Throws std::invalid_argument if the data break the invariant.
-    explicit PatchMesh(Data data)
-        : along_(std::move(data.along)),
-          middles_y_(std::move(data.middles_y)),
-          middles_x_(std::move(data.middles_x)),
-          half_lengths_(std::move(data.half_lengths)) {
-        const Eigen::Index m = half_lengths_.size();
-        detail::require(m >= 1, "PatchMesh", "number of strips", m, "be at least 1");
-        detail::require(data.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data.edges.size(),
-                        "be one more than the number of strips");
-        lower_ = data.edges.head(m);
-        upper_ = data.edges.tail(m);
-        check();
-    }
+    explicit PatchMesh(Data data);
 
     /// Joins pieces of one plane, in one unit and with the same elements along x, to one mesh: the strips of all in
     /// turn, whether they touch or not. Throws std::invalid_argument if there are none, or the elements along x differ.
@@ -88,36 +75,10 @@ public:
     bool is_mirrored() const { return mirrored_; }
 
     /// The elements [m], strip by strip; `unit` is the mesh's unit of length [m], half_length() of the contact.
-    std::vector<Rectangle<Scalar>> rectangles(Scalar unit) const {
-        std::vector<Rectangle<Scalar>> elements;
-        const Array edges = along().edges();
-        for (Eigen::Index j = 0; j < strip_count(); ++j) {
-            const auto x = [&](Eigen::Index i) { return unit * (middles_x()[j] + half_lengths()[j] * edges[i]); };
-            for (Eigen::Index i = 0; i < elements_per_strip(); ++i) {
-                elements.push_back({x(i), x(i + 1), unit * lower_[j], unit * upper_[j]});
-            }
-        }
-        return elements;
-    }
+    std::vector<Rectangle> rectangles(Scalar unit) const;
 
 private:
-    void check() {
-        const Eigen::Index m = half_lengths_.size();
-        detail::require(middles_y_.size() == m && middles_x_.size() == m, "PatchMesh", "number of middles of strips",
-                        middles_x_.size(), "equal the number of strips");
-        widths_ = upper_ - lower_;
-        mirrored_ = true;
-        for (Eigen::Index j = 0; j < m; ++j) {
-            detail::require_positive("PatchMesh", "width of a strip", widths_[j]);
-            detail::require_positive("PatchMesh", "half-length of a strip", half_lengths_[j]);
-            detail::require(middles_y_[j] > lower_[j] && middles_y_[j] < upper_[j], "PatchMesh",
-                            "y of the middle of a strip", middles_y_[j], "lie between its edges");
-            detail::require_finite("PatchMesh", "x of the middle of a strip", middles_x_[j]);
-            const Eigen::Index k = m - 1 - j;
-            mirrored_ = mirrored_ && lower_[j] == -upper_[k] && middles_y_[j] == -middles_y_[k] &&
-                        middles_x_[j] == middles_x_[k] && half_lengths_[j] == half_lengths_[k];
-        }
-    }
+    void check();
 
     Mesh<Scalar> along_;
     Array lower_, upper_, middles_y_, middles_x_, half_lengths_, widths_;

@@ -199,6 +199,18 @@ ArrayX<Scalar> unknown_widths(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 
 /// Any RollingScheme, itself a scheme: AnyScheme scheme = Galerkin{}. A user's own scheme has rows in double only; rows
 /// in other scalars throw std::invalid_argument.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PlaneKernel<double> kernel(100, 0.72, 0.28);
+///     for (const AnyScheme& scheme : {AnyScheme(Galerkin{}), AnyScheme(Collocation{.alpha_L = 0, .alpha_T = 0.63})}) {
+///         if (solve_steady(cosine_mesh(20), scheme, kernel).status != Status::ok) return 1;
+///     }
+/// }
+/// \endcode
 class AnyScheme {
 public:
     AnyScheme() = default;  ///< Collocation{}

@@ -140,6 +140,19 @@ enum class LineModel {
 };
 
 /// A StripKernel or a PlaneKernel.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact = Contact::dimensionless(10, 0.28);
+///     const auto c11 = [&](LineModel model) {
+///         return solve_steady(Chebyshev{12}, AnyKernel<double>::longitudinal(model, contact)).c11();
+///     };
+///     return std::abs(c11(LineModel::strip) / c11(LineModel::plane) - 1) < 0.05 ? 0 : 1;
+/// }
+/// \endcode
 template <class Scalar_ = double>
 class AnyKernel {
 public:
@@ -176,6 +189,17 @@ private:
 /// The surface of `Kernel` under a thin elastic layer: u gains L p(x), where L = h_3/G_3 is the compliance of a layer
 /// of thickness h_3 and shear modulus G_3. L = 0 is the kernel without a layer; L >> a/G is the brush model,
 /// p = -(xi/L) (a - x) in steady rolling, c11 = 2 a/(G L).
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const LayeredKernel brush(PlaneKernel<double>(100, 0.72, 0.28), 1e3);  // L = 1000 a/G
+///     const double c11 = solve_steady(cosine_mesh(40), NodeDifference{}, brush).c11();
+///     return std::abs(c11 / (2 / 1e3) - 1) < 0.05 ? 0 : 1;
+/// }
+/// \endcode
 ///
 /// Tractions jump at the edges of elements, and so does u: G at an edge takes the mean of both sides. du/dx does not
 /// exist there, only differences of u do. Schemes that need du/dx are refused: Collocation and KnotheBoundary with

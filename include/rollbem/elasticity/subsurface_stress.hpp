@@ -21,6 +21,9 @@ struct LoadedRectangle {
 
 /// Measures of a state of stress against yield.
 struct Yield {
+    struct Peak;       // below a point, see below
+    struct Shakedown;  // in vehicle/patch_stress.hpp
+
     double von_mises = 0;  ///< equivalent stress [Pa]
     double tresca = 0;     ///< largest shear stress, half the largest difference of principal stresses [Pa]
 
@@ -28,21 +31,22 @@ struct Yield {
     static Yield of(const Eigen::Matrix3d& stress);
 };
 
+/// The largest von Mises and Tresca stresses below one point of the surface, and their depths.
+struct Yield::Peak {
+    Yield largest;
+    double von_mises_depth = 0, tresca_depth = 0;  ///< [m]
+    double x = 0, y = 0;                           ///< the point of the surface [m]
+};
+
 /// The stress [Pa] at a point below the surface, z > 0, tension positive; independent of the shear modulus. Throws
 /// std::invalid_argument unless z is positive and finite and 0 <= poisson_ratio <= 0.5.
 Eigen::Matrix3d subsurface_stress(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
                                   const Eigen::Vector3d& at);
 
-/// The largest von Mises and Tresca stresses below one point of the surface, and their depths.
-struct SubsurfacePeak {
-    Yield largest;
-    double von_mises_depth = 0, tresca_depth = 0;  ///< [m]
-};
-
 /// Finds the largest stresses below a point, down to the depth `deepest` > 0 [m]: the best of 48 depths, closer
 /// together towards the surface, is refined.
-SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
-                               const Eigen::Vector2d& below, double deepest);
+Yield::Peak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
+                            const Eigen::Vector2d& below, double deepest);
 
 }  // namespace rollbem
 

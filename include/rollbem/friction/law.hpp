@@ -10,8 +10,6 @@
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../types.hpp"
 
 namespace rollbem {
@@ -83,29 +81,5 @@ struct Friction {
     /// n^3, unless the slip velocities equal the previous stage's.
     bool with_tangents = true;
 };
-
-namespace detail {
-
-/// Throws std::invalid_argument, in the name of `who`, unless friction is valid for a mesh of `mesh_size` elements, the
-/// first `count` of which are unknown.
-inline void require_valid(const char* who, const Friction& friction, Eigen::Index mesh_size, Eigen::Index count) {
-    require(count >= 1, who, "number of unknown elements", count, "be at least 1");
-    const double at_rest = friction.law.at_rest();
-    require(is_finite(at_rest) && at_rest >= 0, who,
-            friction.law.is_constant() ? "friction_coefficient" : "friction coefficient at rest", at_rest,
-            "be finite and not negative");
-    const FrictionMemory& memory = friction.memory;
-    require_not_negative(who, "distance of the memory", memory.distance);
-    require_not_negative(who, "least_velocity of the memory", memory.least_velocity);
-    const ArrayX<double>& pressure = friction.normal_pressure;
-    require(pressure.size() == mesh_size, who, "length of normal_pressure", pressure.size(),
-            "equal the number of elements");
-    for (Eigen::Index i = 0; i < mesh_size; ++i) {
-        require_not_negative(who, "normal_pressure", pressure[i]);
-    }
-    require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
-}
-
-}  // namespace detail
 
 }  // namespace rollbem

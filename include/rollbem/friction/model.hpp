@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/hidden.hpp"
 #include "../normal/load.hpp"
 #include "../rolling/run.hpp"
 #include "../scene/contact.hpp"
@@ -34,11 +35,6 @@ struct FrictionScratch;  // internal
 /// threads must not use one workspace at the same time.
 class FrictionWorkspace {
 public:
-    FrictionWorkspace(const FrictionWorkspace& other);
-    FrictionWorkspace(FrictionWorkspace&& other) noexcept;
-    FrictionWorkspace& operator=(FrictionWorkspace other) noexcept;
-    ~FrictionWorkspace();
-
     /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
     /// 0 across the direction of a model of one.
@@ -53,15 +49,13 @@ private:
     friend class FrictionModel;
     explicit FrictionWorkspace(const detail::FrictionData& data);
 
-    std::unique_ptr<detail::FrictionScratch> scratch_;  // null only where it was moved from
+    detail::Hidden<detail::FrictionScratch> scratch_;  // none only where it was moved from
 };
 
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
 /// may share the law, and copies share its data. A creepage xi > 0 gives a negative force in steady rolling. States,
 /// motions and results have two directions. A model of one direction, which costs less, reads the components along its
-/// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin. With two
-/// directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
-/// otherwise only approximately, because the bodies are more compliant across the rolling direction.
+/// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin.
 ///
 /// Steady rolling alone needs only G', which steady_system() makes: the kernel is not integrated for G, no eigenvalue
 /// is judged, and the half-width may be infinite. A model of such a system refuses to advance and to shift
@@ -69,10 +63,8 @@ private:
 /// accepts its states as starting points. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1),
 /// forces would be wrong wherever elements stick: the status of every solution is then Status::assists_creepage, with
 /// the residual but with NaN for forces, tangents and works, unless the model is made `unchecked`. Collocation at the
-/// centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, but are correct with
-/// friction. The scheme does not represent the energy lost at the singular trailing edge in full adhesion, so that its
-/// force in full adhesion is zero. It does represent dissipation by slip: the force converges, with first order, once
-/// several elements slip at the trailing edge.
+/// centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, where its force is zero,
+/// but with friction the force converges, with first order, once several elements slip at the trailing edge.
 ///
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
@@ -91,16 +83,15 @@ private:
 /// reduces it to between first and second.
 ///
 /// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and
-/// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, unless
-/// alpha = 0 and several elements slip at the trailing edge.
+/// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, except for
+/// alpha = 0 as above.
 ///
-/// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
-/// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
-/// particle that arrives there. A particle enters with mu_s(0), and its memory is reset where there is no pressure. A
-/// step may have several solutions, and the nearest one may vanish; the force then jumps within the step, however short
-/// it is. Without memory, or with a short one, such jumps are a property of the equations, not of the steps. The
-/// solution found is reached from the coefficients of `from`. Steps must resolve the memory: the slip in a step should
-/// be shorter than the memory's distance.
+/// If mu depends on slip, steps have a duration, {{dq, duration}, creepage}, and v = |slip in a stage| / its duration.
+/// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element starts from
+/// the coefficient of the particle that arrives there. A particle enters with mu_s(0), and its memory is reset where
+/// there is no pressure. A step may have several solutions, of which the coefficients of `from` lead to one, and the
+/// nearest one may vanish; the force then jumps within the step, however short it is (docs/friction.md). Steps must
+/// resolve the memory: the slip in a step should be shorter than the memory's distance.
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
@@ -108,12 +99,6 @@ private:
 ///     FrictionState now = model.at_rest(), next = now;
 ///     const FrictionStep step = model.advance(now, {dq, Creepage{1e-3}}, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
-///
-/// Both directions:
-///
-///     const ElementSystem system(rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact)),
-///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
-///     const FrictionStep step = model.advance(now, {dq, {1e-3, 5e-4}}, next, workspace);
 ///
 /// A patch, whose system has both directions and one verdict for both symmetric halves:
 ///
@@ -123,11 +108,6 @@ private:
 ///                               judge_stability(patch_subsystems(mesh, scheme, kernel)),
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
 ///     const FrictionStep step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
-///
-/// A coefficient that depends on slip:
-///
-///     const FrictionModel model(contact, system, verdict, {ExponentialFall{0.3, 0.18, 0.1}, pressure});
-///     const FrictionStep step = model.advance(now, {{dq, duration}, Creepage{1e-3}}, next, workspace);
 class FrictionModel {
 public:
     using State = FrictionState;
@@ -137,7 +117,7 @@ public:
     using Motion = RigidMotion<Creepage>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
-    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad>>;
+    using RollingStep = rollbem::RollingStep<Motion, detail::GivenLoad<NormalLoad>>;
 
     /// One direction of a line contact: `direction`, 0 longitudinal or 1 lateral, is the direction of the system's
     /// kernel. Two directions of a line contact. A patch, whose half_length() is the system's unit of length. `verdict`

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/detail/directions.hpp"
 #include "../status.hpp"
@@ -54,22 +53,13 @@ struct FrictionState {
     ElementVectors unrotated_traction;
 };
 
-namespace detail {
-
-/// Whether both components are finite; the moment may be unknown.
-inline bool is_finite(const TangentialForce& force) {
-    return is_finite(force.longitudinal) && is_finite(force.lateral);
-}
-
-}  // namespace detail
-
 /// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, for a line contact over
 /// its width 2b; where b is infinite they are per metre of width (Contact::width()). A model of one direction returns 0
 /// across its direction, and NaN as the moment and the derivatives by spin. All are NaN unless the status is ok or
 /// no_solution; tangents are NaN also if the equations of the elements are singular.
 struct FrictionStep {
     using Force = TangentialForce;
-    using Tangent = CreepageTangent;
+    using Tangent = TangentialForce::ByCreepage;
 
     Force force = detail::nothing<Force>();  ///< force on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].

@@ -39,14 +39,6 @@ struct CombinedBodies {
 
 }  // namespace detail
 
-/// Hertz's pressure p0 sqrt(1 - x^2/a^2) as a PressureLaw.
-struct HertzPressure {
-    double peak = 1;  ///< p0 [Pa]
-
-    double operator()(double x_over_a) const { return peak * std::sqrt((1 - x_over_a) * (1 + x_over_a)); }
-    ArrayX<double> operator()(const Mesh<double>& mesh) const;
-};
-
 /// Two parallel cylinders pressed together: p_n(x) = p0 sqrt(1 - x^2/a^2) with a^2 = 4 P R / (pi E*),
 /// p0 = 2 P / (pi a) and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (Hertz 1882).
 ///
@@ -62,6 +54,16 @@ struct HertzPressure {
 /// \endcode
 class HertzLine {
 public:
+    class Load;  // below
+
+    /// Hertz's pressure p0 sqrt(1 - x^2/a^2) as a PressureLaw.
+    struct Pressure {
+        double peak = 1;  ///< p0 [Pa]
+
+        double operator()(double x_over_a) const { return peak * std::sqrt((1 - x_over_a) * (1 + x_over_a)); }
+        ArrayX<double> operator()(const Mesh<double>& mesh) const;
+    };
+
     struct Parameters {
         double load_per_width;   ///< P [N/m], positive
         double combined_radius;  ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a concave radius is negative)
@@ -86,7 +88,7 @@ public:
     ArrayX<double> mean_pressure(const Mesh<double>& mesh) const;
 
     /// The pressure at every point, p0 sqrt(1 - x^2) with x in units of a.
-    HertzPressure pressure() const { return {peak_pressure()}; }
+    Pressure pressure() const { return {peak_pressure()}; }
 
     /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
     /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). If the bodies are elastically dissimilar,
@@ -131,6 +133,8 @@ struct ElementPressures {
 /// \endcode
 class HertzEllipse {
 public:
+    class Load;  // below
+
     /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite
     /// if flat, never zero.
     struct Radii {
@@ -163,7 +167,7 @@ public:
     double peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi * a_ * b_); }  ///< p0 [Pa]
 
     /// The ellipse of the same load, area and pressures that rolls along its axis a. It replaces a turned ellipse in
-    /// contact(), HertzPatchLoad and CreepForceTable; see rolling_ellipse(), which has its derivatives.
+    /// contact(), HertzEllipse::Load and CreepForceTable; see rolling_ellipse(), which has its derivatives.
     HertzEllipse along_rolling() const;
 
     /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
@@ -182,7 +186,7 @@ public:
     /// Mean pressures of elements in coordinates along the axes a and b, scaled so that they carry the load exactly:
     /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument if a rectangle has no area,
     /// or unless they cover nine tenths of the load.
-    Pressures pressures(const std::vector<Rectangle<double>>& elements) const;
+    Pressures pressures(const std::vector<PatchMesh<double>::Rectangle>& elements) const;
 
 private:
     static double curvature(double radius, const char* name);
@@ -197,7 +201,7 @@ private:
 /// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load
 /// N [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for
 /// an outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
-ArrayX<double> hertz_pressures(const PatchContact& contact, const std::vector<Rectangle<double>>& elements,
+ArrayX<double> hertz_pressures(const PatchContact& contact, const std::vector<PatchMesh<double>::Rectangle>& elements,
                                double load);
 
 /// The mean pressures [Pa] of the elements of the patch's mesh.
@@ -205,23 +209,30 @@ ArrayX<double> hertz_pressures(const PatchContact& contact, const PatchMesh<doub
 
 /// Makes the NormalLoad of a load per width P [N/m], for two cylinders with the radius and moduli of a HertzLine.
 ///
-///     const HertzLoad hertz = HertzLoad::breathing(line, mesh);
-///     NormalLoad load = hertz.at(line.load_per_width());
-///     hertz.set(load_per_width, load);                                   // no allocation
-///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
-///     const auto by_load =
-///         step.tangent_by_load + hertz.half_length_rate(load_per_width) * step.tangent_by_half_length;
-class HertzLoad {
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const HertzLine line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+///     const auto hertz = HertzLine::Load::breathing(line, cosine_mesh(20));
+///     NormalLoad load = hertz.at(2.5e6);
+///     if (hertz.set(2.6e6, load) != Status::ok) return 1;  // no allocation
+///     return load.half_length > line.half_length() ? 0 : 1;
+/// }
+/// \endcode
+///
+/// A step under the load has the derivative by P tangent_by_load + half_length_rate(P) * tangent_by_half_length.
+class HertzLine::Load {
 public:
     /// The mesh follows the contact: half-length a(P), the shape of the pressures constant.
-    static HertzLoad breathing(const HertzLine& line, const Mesh<double>& mesh) {
-        return HertzLoad(line, mesh, std::nullopt);
-    }
+    static Load breathing(const HertzLine& line, const Mesh<double>& mesh) { return Load(line, mesh, std::nullopt); }
 
     /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of the
     /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
     /// 0 < half_length < inf.
-    static HertzLoad fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length);
+    static Load fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length);
 
     bool breathes() const { return !fixed_; }
 
@@ -241,7 +252,7 @@ public:
     NormalLoad at(double load_per_width) const;
 
 private:
-    HertzLoad(const HertzLine& line, const Mesh<double>& mesh, const std::optional<double>& half_length)
+    Load(const HertzLine& line, const Mesh<double>& mesh, const std::optional<double>& half_length)
         : line_(line), mesh_(mesh), mean_(mean_hertz_pressure(mesh)), fixed_(half_length) {}
 
     Eigen::Index size() const { return mesh_.size(); }
@@ -262,27 +273,36 @@ SemiAxes least_resolved(const PatchContact& contact, const PatchMesh<double>& me
 /// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as after
 /// HertzEllipse::along_rolling().
 ///
-///     const HertzPatchLoad hertz = HertzPatchLoad::breathing(ellipse, contact, mesh);
-///     NormalLoad load = hertz.at(ellipse.load());
-///     hertz.set(N, load);                                       // no allocation
-///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
-///     const auto by_load = step.tangent_by_load + hertz.half_length_rate(N) * step.tangent_by_half_length +
-///                          hertz.half_width_rate(N) * step.tangent_by_half_width;
-///     hertz.set(HertzEllipse(radii), load);  // other radii
-class HertzPatchLoad {
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+///     const double flat = std::numeric_limits<double>::infinity();
+///     const HertzEllipse ellipse(
+///         {.load = 80e3, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel});
+///     const PatchContact contact = ellipse.contact();
+///     const auto hertz = HertzEllipse::Load::breathing(ellipse, contact, patch_mesh(contact, 8, 8));
+///     NormalLoad load = hertz.at(80e3);
+///     return hertz.set(85e3, load) == Status::ok && load.half_width > contact.half_width() ? 0 : 1;
+/// }
+/// \endcode
+///
+/// A step under the load has the derivative by N tangent_by_load + half_length_rate(N) * tangent_by_half_length +
+/// half_width_rate(N) * tangent_by_half_width.
+class HertzEllipse::Load {
 public:
     /// The mesh, made for `contact`, follows the ellipse: semi-axes a(N) and b(N), the shape of the pressures constant.
     /// Throws std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
-    static HertzPatchLoad breathing(const HertzEllipse& ellipse, const PatchContact& contact,
-                                    const PatchMesh<double>& mesh) {
-        return HertzPatchLoad(ellipse, contact, mesh, false);
+    static Load breathing(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
+        return Load(ellipse, contact, mesh, false);
     }
 
     /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws
     /// std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
-    static HertzPatchLoad fixed(const HertzEllipse& ellipse, const PatchContact& contact,
-                                const PatchMesh<double>& mesh) {
-        return HertzPatchLoad(ellipse, contact, mesh, true);
+    static Load fixed(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
+        return Load(ellipse, contact, mesh, true);
     }
 
     bool breathes() const { return !fixed_; }
@@ -310,7 +330,7 @@ public:
     NormalLoad at(double load) const;
 
 private:
-    HertzPatchLoad(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh, bool fixed);
+    Load(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh, bool fixed);
 
     Eigen::Index size() const { return shape_.size(); }
 
@@ -323,7 +343,7 @@ private:
     HertzEllipse ellipse_;
     SemiAxes axes_;   // semi-axes for which the mesh was made
     SemiAxes least_;  // smallest semi-axes that a fixed mesh resolves
-    std::vector<Rectangle<double>> elements_;
+    std::vector<PatchMesh<double>::Rectangle> elements_;
     ArrayX<double> shape_;  // pressures for N = a b = 1
     bool fixed_;
 };

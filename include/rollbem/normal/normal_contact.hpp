@@ -19,15 +19,6 @@ namespace detail {
 class GridConvolution;
 }  // namespace detail
 
-/// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy. Invariant: nx, ny >= 1; 0 < dx, dy < inf.
-struct CellGrid {
-    Eigen::Index nx, ny;
-    double x_0, y_0, dx, dy;
-
-    double x(Eigen::Index i) const { return x_0 + double(i) * dx; }
-    double y(Eigen::Index j) const { return y_0 + double(j) * dy; }
-};
-
 /// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Its memory is kept from one
 /// solution to the next.
 ///
@@ -36,7 +27,7 @@ struct CellGrid {
 ///
 /// int main() {
 ///     using namespace rollbem;
-///     const CellGrid grid{.nx = 21, .ny = 21, .x_0 = -1e-2, .y_0 = -1e-2, .dx = 1e-3, .dy = 1e-3};
+///     const NormalContact::Cells grid{.nx = 21, .ny = 21, .x_0 = -1e-2, .y_0 = -1e-2, .dx = 1e-3, .dy = 1e-3};
 ///     Eigen::ArrayXXd h(21, 21);  // a sphere of radius 0.5 m on a plane
 ///     for (Eigen::Index j = 0; j < 21; ++j) {
 ///         for (Eigen::Index i = 0; i < 21; ++i) h(i, j) = (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)) / 2 / 0.5;
@@ -47,6 +38,15 @@ struct CellGrid {
 /// \endcode
 class NormalContact {
 public:
+    /// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy. Invariant: nx, ny >= 1; 0 < dx, dy < inf.
+    struct Cells {
+        Eigen::Index nx, ny;
+        double x_0, y_0, dx, dy;
+
+        double x(Eigen::Index i) const { return x_0 + double(i) * dx; }
+        double y(Eigen::Index j) const { return y_0 + double(j) * dy; }
+    };
+
     using Grid = Eigen::ArrayXXd;
 
     struct Solution {
@@ -70,12 +70,11 @@ public:
     /// - not_finite, with all pressures 0: inputs are not finite, or results would not be.
     ///
     /// Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
-    Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
+    Solution carry(const Cells& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }
     /// Solves for a given approach [m].
-    Solution approach(const CellGrid& grid, const Grid& h, double approach, double tolerance = 1e-6,
-                      bool warm = false) {
+    Solution approach(const Cells& grid, const Grid& h, double approach, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, std::nullopt, approach, tolerance, warm);
     }
 
@@ -83,15 +82,15 @@ public:
     double compliance() const { return compliance_; }
 
 private:
-    Solution solve(const CellGrid& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
+    Solution solve(const Cells& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
                    bool warm);
-    void begin(const CellGrid& grid, bool by_load, bool warm, double unit);
+    void begin(const Cells& grid, bool by_load, bool warm, double unit);
     Solution iterate(bool by_load, double tolerance);
 
-    const Solution& without(const Solution& none, const CellGrid& grid);
+    const Solution& without(const Solution& none, const Cells& grid);
 
     // moves pressures from another grid, linear between the centres of its cells
-    void move_to(const CellGrid& grid);
+    void move_to(const Cells& grid);
 
     // the mean over cells with pressure
     double mean(const Grid& of) const {
@@ -106,7 +105,7 @@ private:
 
     double compliance_;
     detail::Hidden<detail::GridConvolution> convolution_;
-    CellGrid grid_{};  // grid of p_
+    Cells grid_{};  // grid of p_
     Grid p_, h_, u_, g_, t_, q_;
 };
 

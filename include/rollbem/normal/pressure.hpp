@@ -72,7 +72,7 @@ public:
 
     /// The mean over each rectangle, exactly, in the unit of the pressures. Throws std::invalid_argument if one has no
     /// area.
-    ArrayX<double> operator()(const std::vector<Rectangle<double>>& elements) const;
+    ArrayX<double> operator()(const std::vector<PatchMesh<double>::Rectangle>& elements) const;
 
 private:
     /// Weights of the values at the knots in the integral of their linear interpolation from `low` to `high`; `first`
@@ -86,7 +86,7 @@ private:
 
     static Weights weights(const ArrayX<double>& knots, double low, double high);
 
-    double over(const Rectangle<double>& element) const;
+    double over(const PatchMesh<double>::Rectangle& element) const;
 
     ArrayX<double> x_, y_;
     MatrixX<double> pressure_;

@@ -30,8 +30,9 @@ struct Alignment {
 };
 
 /// The motion that brings a profile onto the reference in these parts, ranges of the reference's y, without or with an
-/// angle. It is robust: lengths of less than half of the parts that lie elsewhere do not move it (Tukey's biweight from
-/// the least sum of distances). Throws std::invalid_argument unless every part has points of both profiles and together
+/// angle. It is robust: what is worn within the parts does not move it as long as more of their length lies on the
+/// reference under this motion than under any other (Tukey's biweight from the best motion that a few places fix).
+/// Throws std::invalid_argument unless every part has points of both profiles and together
 /// they fix the motion.
 Alignment align(const Profile& profile, const Profile& reference, const std::vector<std::array<double, 2>>& parts,
                 bool turns = false);
@@ -52,10 +53,10 @@ Profile worn(const Profile& profile, const Eigen::ArrayXd& depth, Profile::Use b
 /// midway to the point behind. Throws as worn().
 Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& area_per_length, Profile::Use body);
 
-/// An area per length [m] at a profile's points, spread along it: the solution d of d - (D d')' = area, D >= 0 [m^2] at
-/// the points, without a flux at the ends. Waves of length w are damped by 1/(1 + D (2 pi/w)^2), the sum over
-/// lengths_at_points() stays, and nothing becomes negative.
-Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, const Eigen::ArrayXd& D);
+/// An area per length [m] at a profile's points, spread along it over the reach r [m]: the solution d of d - r^2 d'' =
+/// area, without a flux at the ends. Waves of length w are damped by 1/(1 + (2 pi r/w)^2), the sum over
+/// lengths_at_points() stays, and nothing becomes negative. Throws std::invalid_argument unless r is positive and finite.
+Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, double reach);
 
 /// The lengths that belong to the points of a profile [m], from midway to the point before to midway to the next.
 Eigen::ArrayXd lengths_at_points(const Profile& profile);

@@ -18,23 +18,38 @@
 
 namespace rollbem {
 
-/// A profile at one place of a surface that varies.
-struct Section {
-    double u;         ///< along the track [m], or round the wheel [rad]
-    Profile profile;  ///< right-hand, z down
-    /// Lengths along the profile [m] where parts of the surface begin and end, growing and the same number in all
-    /// sections. A length beyond the profile's end means the end, a negative one a feature that this section lacks.
-    /// Without features the whole profile is one part.
-    std::vector<double> features = {};
-};
-
 /// The surface y(s, u), z(s, u), in parts, each between two neighbouring features. Points at equal shares of a part's
 /// length correspond; along u they are joined by cubics. A part is interrupted where a section lacks one of its
 /// features.
 ///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     // a rail that sinks by 1 mm over 2 m
+///     const Profile high = rail_60e1();
+///     const Sections rail({{0, high}, {1, high.moved(0, 0, 0.5e-3)}, {2, high.moved(0, 0, 1e-3)}},
+///                         Sections::Interpolation::through);
+///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     WheelOnRail::Workspace workspace;
+///     return wheel.solve_for_load({.along = 1.5}, 80e3, workspace).height > 0.6e-3 ? 0 : 1;
+/// }
+/// \endcode
+///
 /// Invariant: at least 2 sections, u grows, and each part is there in at least two neighbouring sections.
 class Sections {
 public:
+    /// A profile at one place of a surface that varies.
+    struct Section {
+        double u;         ///< along the track [m], or round the wheel [rad]
+        Profile profile;  ///< right-hand, z down
+        /// Lengths along the profile [m] where parts of the surface begin and end, growing and the same number in all
+        /// sections. A length beyond the profile's end means the end, a negative one a feature that this section lacks.
+        /// Without features the whole profile is one part.
+        std::vector<double> features = {};
+    };
+
     /// Interpolation between sections, of one of two kinds:
     ///
     /// - through: through the sections, with slopes in u from parabolas through three neighbouring sections (one-sided
@@ -130,18 +145,30 @@ private:
     std::vector<double> starts_{0};  // s at which parts begin, and at which the last one ends
 };
 
-/// A point (y, z) [m] of a surface's curve at constant x, and its derivative by the length parameter of the curve.
-struct CurvePoint {
-    double y, z;
-    std::array<double, 2> slope;
-    bool defined;  ///< false where the surface has no such point
-};
-
 /// A rail, in axes of its own: x along the track, y to the right, z down. Straight: (x, y(s), z(s)). Roller: a disc of
 /// radius R about an axle along y at z = R, ((R - z) sin f, y, R - (R - z) cos f). Sections: curves that change along
 /// the track. Its curves at constant x have a parameter 0 <= s <= length() of about unit speed.
+///
+/// \code
+/// #include <rollbem/profiles.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const RailSurface roller = RailSurface::roller(rail_60e1(0), 0.5);
+///     const WheelOnRail wheel(s1002(), roller, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     WheelOnRail::Workspace workspace;
+///     return wheel.solve_for_load({}, 80e3, workspace).status == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 class RailSurface {
 public:
+    /// A point (y, z) [m] of a surface's curve at constant x, and its derivative by the length parameter of the curve.
+    struct Point {
+        double y, z;
+        std::array<double, 2> slope;
+        bool defined;  ///< false where the surface has no such point
+    };
+
     RailSurface(Profile profile) : curve_(std::move(profile)) {}     // NOLINT: implicit on purpose
     RailSurface(Sections sections) : curve_(std::move(sections)) {}  // NOLINT: the same
 
@@ -157,7 +184,7 @@ public:
     double length() const { return has_sections() ? std::get<Sections>(curve_).length() : profile().length(); }
 
     /// The point s of the curve at x [m]; where a section is missing there is none.
-    CurvePoint at(double s, double x) const noexcept;
+    Point at(double s, double x) const noexcept;
 
     /// Largest sin f at which a roller is searched.
     static constexpr double steepest = 0.5;
@@ -171,6 +198,8 @@ private:
 /// angle from the lowest point towards +x, less the pitch, with a period of one turn.
 class WheelSurface {
 public:
+    class Placed;  // below
+
     struct Point {
         double y, z;
         std::array<double, 2> by_s, by_angle;
@@ -193,10 +222,10 @@ private:
 
 /// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette of a
 /// round wheel against a straight rail, where its normal has no component along x.
-class PlacedWheel {
+class WheelSurface::Placed {
 public:
     /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
-    PlacedWheel(const WheelSurface& surface, double origin, double radius, const WheelsetPosition& at)
+    Placed(const WheelSurface& surface, double origin, double radius, const WheelsetPosition& at)
         : surface_(&surface),
           origin_(origin),
           radius_(radius),
@@ -228,14 +257,14 @@ public:
     /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
     std::optional<WheelSurface::Point> unplaced(double s, double x) const;
     /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
-    CurvePoint section(double s, double x) const;
+    RailSurface::Point section(double s, double x) const;
 
 private:
     double sine_of(const WheelSurface::Point& p, double x) const {
         return (x + sin_yaw_ * (origin_ + p.y)) / (cos_yaw_ * (radius_ + p.z));
     }
     Place place(double y, double z, double sine) const;
-    CurvePoint section_of(const WheelSurface::Point& p, double x) const;
+    RailSurface::Point section_of(const WheelSurface::Point& p, double x) const;
 
     const WheelSurface* surface_;
     double origin_, radius_, lateral_, pitch_, sin_roll_, cos_roll_, sin_yaw_, cos_yaw_;

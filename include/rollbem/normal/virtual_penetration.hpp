@@ -19,6 +19,13 @@ namespace rollbem {
 /// s_0 is its own deepest place. Between half-spaces this pressure displaces s_0 by its remaining depth over `share`:
 /// by the approach, unless the stretch is deeper elsewhere.
 struct VirtualPenetration {
+    /// Parameters of the pressures.
+    struct Parameters {
+        double radius;        ///< R of the circle along x: 2 R depth = x_l^2 [m]
+        double compliance;    ///< 1/E* [1/Pa]
+        double share = 0.55;  ///< part of the approach; 1/2 gives circular contacts the right size
+    };
+
     double y = 0, z = 0;                     ///< deepest place on the rail, in track axes [m]
     double angle = 0;                        ///< angle of the plane [rad]
     double approach = 0;                     ///< the largest depth of the undeformed surfaces [m]
@@ -31,19 +38,12 @@ struct VirtualPenetration {
     Status status = Status::not_finite;
 };
 
-/// Parameters of the pressures.
-struct VirtualContact {
-    double radius;        ///< R of the circle along x: 2 R depth = x_l^2 [m]
-    double compliance;    ///< 1/E* [1/Pa]
-    double share = 0.55;  ///< part of the approach; 1/2 gives circular contacts the right size
-};
-
 /// Contacts in one plane of undeformed surfaces, from their depths in one another [m] in rows `step` [m] apart. Depths
 /// in the first and the last row must not be positive; y is s from row 0, z and angle are 0. Throws
 /// std::invalid_argument unless step, radius and compliance are positive, the share lies in (0, 1] and there are 3
 /// rows.
 std::vector<VirtualPenetration> virtual_penetration(const Eigen::ArrayXd& depth, double step,
-                                                    const VirtualContact& contact);
+                                                    const VirtualPenetration::Parameters& contact);
 
 /// Contacts of a wheel at a position, under any load, in the order along its profile, in the planes of WheelOnRail;
 /// none where the wheel is lifted, one without numbers where contacts cannot be found. Patches do not displace each

@@ -47,43 +47,6 @@ class CurveIndex;
 
 }  // namespace detail
 
-/// The right wheel and the right rail of a track; left ones are mirror images. Immutable.
-class ContactGeometry {
-public:
-    /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, profiles that are no
-    /// pieces look like a wheel and a rail (require_wheel, require_rail), and the rail's place is given by rail_origin
-    /// or, of a straight rail, by its inner side.
-    ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions);
-
-    const WheelSurface& wheel() const { return wheel_; }
-    const RailSurface& rail() const { return rail_; }
-    const TrackDimensions& dimensions() const { return dimensions_; }
-    double compliance() const { return (1 - dimensions_.poisson_ratio) / dimensions_.shear_modulus; }  ///< 1/E* [1/Pa]
-    TrackDimensions::Origin rail_origin() const { return origin_; }  ///< origin of the right rail in track axes [m]
-    double wheel_origin() const {
-        return wheel_origin_;
-    }  ///< origin of the right wheel, from the middle of the axle
-       ///< [m]
-
-    /// Whether neither the wheel nor the rail changes along the way: contacts are then found on the wheel's silhouette.
-    bool is_plain() const { return wheel_.is_round() && rail_.is_straight(); }
-    /// The rail's points, where is_plain().
-    const detail::CurveIndex& index() const { return *index_; }
-
-    PlacedWheel placed(const WheelsetPosition& at) const { return {wheel_, wheel_origin_, dimensions_.radius, at}; }
-
-    /// A point of the rail in track axes; x [m] along the track.
-    CurvePoint rail_at(double s, double x) const;
-
-private:
-    WheelSurface wheel_;
-    RailSurface rail_;
-    TrackDimensions dimensions_;
-    TrackDimensions::Origin origin_{};
-    double wheel_origin_ = 0;
-    std::shared_ptr<const detail::CurveIndex> index_;  ///< shared by copies; none unless is_plain()
-};
-
 /// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail;
 /// patch and pressures are in the axes (x, s) from there. Patches of one plane share its reference point.
 struct RailPatch {
@@ -100,8 +63,8 @@ struct RailPatch {
     int steps = 0;                           ///< number of steps of the last normal problem
     double residual = 0;                     ///< largest gap under pressure, over the approach
     Status status = Status::not_finite;
-    CellGrid grid{};           ///< grid of the pressures
-    Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
+    NormalContact::Cells grid{};  ///< grid of the pressures
+    Eigen::ArrayXXd pressure;     ///< [Pa], nx x ny
     /// n of the rail's surface in each row of cells (ny), and of the wheel's where it lies deepest, undeformed [m].
     Eigen::ArrayXd rail_n, wheel_n;
     /// dn/ds of the rail's surface in each row of cells (ny) [-]. Pressures act along its normals (0, -dn/ds, 1).
@@ -152,19 +115,75 @@ class RegionSolver;
 /// \endcode
 class WheelOnRail {
 public:
-    /// Throws std::invalid_argument as ContactGeometry.
+    /// The right wheel and the right rail of a track; left ones are mirror images. Immutable.
+    class Geometry {
+    public:
+        /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, profiles that are no
+        /// pieces look like a wheel and a rail (require_wheel, require_rail), and the rail's place is given by
+        /// rail_origin or, of a straight rail, by its inner side.
+        Geometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions);
+
+        const WheelSurface& wheel() const { return wheel_; }
+        const RailSurface& rail() const { return rail_; }
+        const TrackDimensions& dimensions() const { return dimensions_; }
+        double compliance() const {
+            return (1 - dimensions_.poisson_ratio) / dimensions_.shear_modulus;
+        }                                                                ///< 1/E* [1/Pa]
+        TrackDimensions::Origin rail_origin() const { return origin_; }  ///< origin of the right rail in track axes [m]
+        /// Origin of the right wheel, from the middle of the axle [m].
+        double wheel_origin() const { return wheel_origin_; }
+
+        /// Whether neither the wheel nor the rail changes along the way: contacts are then found on the wheel's
+        /// silhouette.
+        bool is_plain() const { return wheel_.is_round() && rail_.is_straight(); }
+        /// The rail's points, where is_plain().
+        const detail::CurveIndex& index() const { return *index_; }
+
+        WheelSurface::Placed placed(const WheelsetPosition& at) const {
+            return {wheel_, wheel_origin_, dimensions_.radius, at};
+        }
+
+        /// A point of the rail in track axes; x [m] along the track.
+        RailSurface::Point rail_at(double s, double x) const;
+
+    private:
+        WheelSurface wheel_;
+        RailSurface rail_;
+        TrackDimensions dimensions_;
+        TrackDimensions::Origin origin_{};
+        double wheel_origin_ = 0;
+        std::shared_ptr<const detail::CurveIndex> index_;  ///< shared by copies; none unless is_plain()
+    };
+
+    /// Throws std::invalid_argument as Geometry.
     WheelOnRail(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions = {})
         : geometry_(std::move(wheel), std::move(rail), dimensions) {}
 
+    /// The right wheel on the right rail; for a left wheel, y, angle and places belong to its mirror image.
+    struct RigidContact {
+        double height = 0;               ///< z_ws [m] at which the wheel, lowered, begins to touch
+        double x = 0, y = 0, z = 0;      ///< point of contact in track axes [m]
+        double rail_y = 0, wheel_y = 0;  ///< point of contact in both profiles [m]
+        double wheel_s = 0;              ///< arc length of the wheel's profile up to it [m]
+        double angle = 0;                ///< delta of both surfaces at the point [rad]
+        double rolling_radius = 0;       ///< r0 + z of the wheel at the point [m]
+        Status status =
+            Status::not_finite;  ///< ok, no_contact, undefined_section, or end_of_profile: a curve ends there
+    };
+
     struct Options {
-        Eigen::Index cells_x = 40, cells_s = 20;  ///< number of cells across the contact; more in patches with two
-                                                  ///< lobes
+        Eigen::Index cells_x = 40, cells_s = 20;  ///< numbers of cells across the contact to begin with; cells_s is
+                                                  ///< larger in patches with two lobes
         double tolerance = 1e-6;                  ///< relative error of the load, and of gaps over the approach
         /// If positive, the side [m] of square cells, one centred on the reference point, as in CONTACT; replaces the
         /// numbers of cells.
         double cell_size = 0;
         /// Whether patches of one wheel displace each other; those split from one region always do.
         bool interaction = true;
+        /// Whether cells are halved, in the directions that need it, where halves would change the largest pressure of
+        /// a patch by more than 5 %, or its load or approach by more than 0.5 %; few_cells where this would take too
+        /// many. If not, results are those of the given cells. Square cells are halved for outlines alone.
+        bool halves_cells = true;
     };
 
     /// Memory of a solution, and the start of the search for the next one.
@@ -193,35 +212,21 @@ public:
     /// lies more than a millimetre within the rail.
     Contact solve_at_height(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 
-    const ContactGeometry& geometry() const { return geometry_; }
+    const Geometry& geometry() const { return geometry_; }
     const TrackDimensions& dimensions() const { return geometry_.dimensions(); }
-    double compliance() const { return geometry_.compliance(); }      ///< 1/E* [1/Pa]
-    double rail_origin() const { return geometry_.rail_origin().y; }  ///< y of the right rail's origin [m]
-    double wheel_origin() const {
-        return geometry_.wheel_origin();
-    }                                                                     ///< origin of the right wheel, from the
-                                                                          ///< middle [m]
+    double compliance() const { return geometry_.compliance(); }          ///< 1/E* [1/Pa]
+    double rail_origin() const { return geometry_.rail_origin().y; }      ///< y of the right rail's origin [m]
+    double wheel_origin() const { return geometry_.wheel_origin(); }      ///< of the right wheel, from the middle [m]
     const Profile& wheel() const { return geometry_.wheel().profile(); }  ///< profile of a round wheel
     const Profile& rail() const { return geometry_.rail().profile(); }    ///< profile of a straight rail or a roller
 
 private:
-    ContactGeometry geometry_;
-};
-
-/// The right wheel on the right rail; for a left wheel, y, angle and places belong to its mirror image.
-struct RigidContact {
-    double height = 0;                   ///< z_ws [m] at which the wheel, lowered, begins to touch
-    double x = 0, y = 0, z = 0;          ///< point of contact in track axes [m]
-    double rail_y = 0, wheel_y = 0;      ///< point of contact in both profiles [m]
-    double wheel_s = 0;                  ///< arc length of the wheel's profile up to it [m]
-    double angle = 0;                    ///< delta of both surfaces at the point [rad]
-    double rolling_radius = 0;           ///< r0 + z of the wheel at the point [m]
-    Status status = Status::not_finite;  ///< ok, no_contact, undefined_section, or end_of_profile: a curve ends there
+    Geometry geometry_;
 };
 
 /// Finds the contact at this lateral position, roll and yaw; nothing else of `position` is used. Throws
 /// std::invalid_argument unless the wheel is round and the rail straight.
-RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position);
+WheelOnRail::RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position);
 
 }  // namespace rollbem
 

@@ -5,6 +5,7 @@
 
 #include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
+#include "detail/given_load.hpp"
 
 namespace rollbem {
 
@@ -27,26 +28,8 @@ constexpr const char* name(Integrator integrator) {
     return "matrix_exponential";
 }
 
-/// The load of a step, or none: the state's load then remains.
-template <class Load_>
-class GivenLoad {
-public:
-    using Load = Load_;
-
-    GivenLoad() = default;
-    GivenLoad(const Load& load) : load_(&load) {}  // NOLINT: implicit on purpose
-    GivenLoad(const Load&&) = delete;
-
-    explicit operator bool() const { return load_ != nullptr; }
-    const Load& operator*() const { return *load_; }
-    const Load* operator->() const { return load_; }
-
-private:
-    const Load* load_ = nullptr;
-};
-
 /// One step: the distance rolled, the motion of the bodies meanwhile, and the load at its end. The load varies linearly
-/// from the state's load; without one the state's load remains. A model's `Load` is a GivenLoad with friction, the
+/// from the state's load; without one the state's load remains. A model's `Load` is a NormalLoad with friction, the
 /// half-length or the semi-axes in full adhesion. Written in braces:
 ///
 ///     model.advance(now, {dq, creepage}, next, workspace);
@@ -72,9 +55,22 @@ struct RollingStep {
 /// the present state: a loop that rejects steps calls accept() when it is sure. Steps neither throw nor allocate. A Run
 /// keeps a reference to the model, which several runs, and threads, may share.
 ///
-///     Run contact(model);
-///     const auto step = contact.advance({dq, creepage});
-///     if (step.status != Status::ok) return failed(step.status);
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
+///     const PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
+///     const auto system = rolling_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
+///     const FrictionModel model(contact, system, unchecked, {0.3, hertz_pressures(contact, mesh, 80e3)});
+///     Run run(model);
+///     for (int k = 0; k < 10; ++k) {
+///         const FrictionStep step = run.advance({1e-3, {1e-3, 5e-4, 0.1}});  // rolls by 1 mm; spin 0.1 1/m
+///         if (step.status != Status::ok || !(step.force.longitudinal < 0)) return 1;
+///     }
+/// }
+/// \endcode
 template <class Model_>
 class Run {
 public:

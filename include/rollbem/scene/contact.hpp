@@ -17,7 +17,7 @@ namespace rollbem {
 ///
 /// int main() {
 ///     using namespace rollbem;
-///     const Contact contact({.half_length = 5e-3, .half_width = 0.05, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const Contact contact({5e-3, 0.05, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
 ///     const auto steady = solve_steady(Chebyshev{8}, StripKernel<double>::longitudinal(contact));
 ///     return creep_force(contact, steady, 1e-4) < 0 ? 0 : 1;  // [N]; positive creepage, negative force
 /// }

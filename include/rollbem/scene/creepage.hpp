@@ -32,6 +32,8 @@ inline bool is_finite(const Creepage& creepage) {
 
 /// A force in the plane of contact and its moment, or a derivative of them. NaN until computed.
 struct TangentialForce {
+    struct ByCreepage;  // its derivatives, below
+
     double longitudinal = std::numeric_limits<double>::quiet_NaN();
     double lateral = std::numeric_limits<double>::quiet_NaN();
     /// Moment about the normal through the middle of the contact (the origin of an outline), of tractions at the
@@ -47,11 +49,20 @@ struct TangentialForce {
     }
 };
 
+namespace detail {
+
+/// Whether both components are finite; the moment may be unknown.
+inline bool is_finite(const TangentialForce& force) {
+    return is_finite(force.longitudinal) && is_finite(force.lateral);
+}
+
+}  // namespace detail
+
 /// Derivatives of a force with respect to both creepages and spin [1/m]; for a rigid shift, to its angle [rad].
-struct CreepageTangent {
+struct TangentialForce::ByCreepage {
     TangentialForce by_longitudinal, by_lateral, by_spin;
 
-    friend CreepageTangent operator*(double factor, const CreepageTangent& tangent) {
+    friend TangentialForce::ByCreepage operator*(double factor, const TangentialForce::ByCreepage& tangent) {
         return {factor * tangent.by_longitudinal, factor * tangent.by_lateral, factor * tangent.by_spin};
     }
 };

@@ -18,6 +18,8 @@ namespace rollbem {
 
 /// Semi-axes in metres, or over the semi-axes of a contact.
 struct SemiAxes {
+    struct AlongRolling;  // semi-axes with derivatives, below
+
     double half_length;  ///< a, in the rolling direction
     double half_width;   ///< b, across it
 
@@ -76,7 +78,7 @@ private:
 };
 
 /// Semi-axes a', b' along x and y, with their derivatives.
-struct RollingEllipse {
+struct SemiAxes::AlongRolling {
     SemiAxes axes;            ///< a', b' [m]
     SemiAxes by_half_length;  ///< d a'/da, d b'/da [-]
     SemiAxes by_half_width;   ///< d a'/db, d b'/db [-]
@@ -92,23 +94,7 @@ struct RollingEllipse {
 /// errors, as it turns the rolling direction as well: even a circle under spin would then get a longitudinal force. Two
 /// forces due to the lack of symmetry are neglected here: along x by lateral creepage and spin, and across by
 /// longitudinal creepage. They grow with the turn; docs/vehicle-measured.md has the errors.
-inline RollingEllipse rolling_ellipse(const SemiAxes& turned, double turn) noexcept {
-    const double a = turned.half_length, b = turned.half_width, cosine = std::cos(turn), sine = std::sin(turn);
-    // extents over a and b
-    const double along = std::hypot(cosine, b / a * sine), across = std::hypot(cosine, a / b * sine);
-    const double scale = std::sqrt(along / across);
-    RollingEllipse result{.axes = {a * scale, b / scale}, .by_half_length{}, .by_half_width{}, .by_turn{}};
-    const auto [length, width] = result.axes;
-    // a'^2 = a b e, e the ratio of the extents; derivatives of ln e by ln a (minus the derivative by ln b) and by the
-    // turn
-    const double x = cosine / along, y = sine / across;
-    const double by_log_a = x * x - a / b * y * (a / b * y);
-    const double slope = -(a / b - b / a) * sine * cosine * (b / a / (along * along) + a / b / (across * across));
-    result.by_half_length = {length * (1 + by_log_a) / (2 * a), width * (1 - by_log_a) / (2 * a)};
-    result.by_half_width = {length * (1 - by_log_a) / (2 * b), width * (1 + by_log_a) / (2 * b)};
-    result.by_turn = {length * slope / 2, -width * slope / 2};
-    return result;
-}
+SemiAxes::AlongRolling rolling_ellipse(const SemiAxes& turned, double turn) noexcept;
 
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
@@ -118,7 +104,7 @@ inline RollingEllipse rolling_ellipse(const SemiAxes& turned, double turn) noexc
 ///
 /// int main() {
 ///     using namespace rollbem;
-///     const PatchContact contact({.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
 ///     const auto steady = solve_steady(contact, patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev});
 ///     return creep_coefficients(contact, steady).c11 > 3 ? 0 : 1;  // Kalker's c11
 /// }

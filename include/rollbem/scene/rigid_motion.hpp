@@ -46,6 +46,17 @@ struct Travel {
 /// Motion during one step. Value_ is a number for creepage in one direction (the kernel's), and Creepage for
 /// both. With friction each element may also have a rigid slip of its own: on curved surfaces, rigid slip is not linear
 /// in x and y.
+///
+/// \code
+/// #include <rollbem/patch.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto growing = RigidMotion<Creepage>::linear({0, 0, 0}, {1e-3, 5e-4, 0.1});  // xi, eta [-], spin [1/m]
+///     const auto shift = RigidMotion<double>::shift(1e-6);                               // [m], without rolling
+///     return growing.check(1e-3) == Status::ok && shift.check(0) == Status::ok ? 0 : 1;
+/// }
+/// \endcode
 template <class Value_>
 class RigidMotion {
 public:
@@ -88,6 +99,18 @@ public:
         return motion;
     }
 
+    /// The component along one direction, 0 longitudinal or 1 lateral; spin is left out.
+    RigidMotion<double> along(Eigen::Index direction) const requires(directions == 2) {
+        const auto component = [&](const Value& value) { return direction == 0 ? value.longitudinal : value.lateral; };
+        RigidMotion<double> own(component(start_), component(end_),
+                                static_cast<typename RigidMotion<double>::Kind>(kind_));
+        own.row_count_ = row_count_;
+        if (row_count_ <= 0) return own;
+        own.start_rows_ = start_rows_ + direction * row_count_;
+        own.end_rows_ = end_rows_ + direction * row_count_;
+        return own;
+    }
+
     bool is_shift() const { return kind_ == Kind::shift; }
     bool is_linear() const { return kind_ == Kind::linear; }  ///< made by linear(), whatever the values
     Value start() const { return start_; }                    ///< creepage at the start [-], or the shift [m]
@@ -113,6 +136,8 @@ public:
     }
 
 private:
+    template <class Other>
+    friend class RigidMotion;
     enum class Kind { constant, linear, shift };
 
     RigidMotion(Value start, Value end, Kind kind) : start_(start), end_(end), kind_(kind) {}

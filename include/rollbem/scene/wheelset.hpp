@@ -36,6 +36,16 @@ struct WheelsetSpeeds {
 
 /// A reflection that reverses x, y, both or neither of the track's axes, and with them x and s of planes of contact. It
 /// is its own inverse. mirrored(value, mirror) is the image of a value.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     // the left wheel at 2 mm to the right is the right wheel at 2 mm to the left
+///     return mirrored(WheelsetPosition{.lateral = 2e-3}, Mirror::of(WheelsetSide::left)).lateral == -2e-3 ? 0 : 1;
+/// }
+/// \endcode
 class Mirror {
 public:
     constexpr Mirror() = default;  ///< the identity: everything is its own image

@@ -36,6 +36,11 @@ namespace rollbem {
 /// du/dx - du/dq = xi, holds in the coefficients of T_0 ... T_{m-1}; u_m follows from p = 0 at the leading edge,
 /// sum a_k = 0 (the tau method).
 struct Chebyshev {
+    template <class Value>
+    struct Traction;
+    template <class Scalar>
+    class System;
+
     Eigen::Index states = 12;
 };
 
@@ -43,7 +48,7 @@ struct Chebyshev {
 /// zero. It vanishes like a square root at the leading edge and is infinite at the trailing one. Value is real, or
 /// complex for harmonic creepage.
 template <class Value>
-struct ChebyshevTraction {
+struct Chebyshev::Traction {
     using Scalar = typename Eigen::NumTraits<Value>::Real;
 
     VectorX<Value> coefficients;
@@ -61,21 +66,33 @@ struct ChebyshevTraction {
 /// The system of Chebyshev states: its unknowns are the displacement coefficients u_0 ... u_{m-1}, in units of a, and
 /// its equations are zero slip at the m Chebyshev points, trailing to leading.
 ///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Chebyshev::System<double> system = rolling_system(Chebyshev{12}, StripKernel<double>(10, 0.72, 0.28));
+///     const auto response = solve_response(system, {0, 1});  // omega a/V = 1
+///     const VectorX<std::complex<double>> unknowns = response.unknowns.col(0);
+///     return std::abs(system.traction(unknowns)(0.5)) > 0 ? 0 : 1;  // |p/(G xi)| at x = a/2
+/// }
+/// \endcode
+///
 /// Invariant: the invariant of RollingSystem, and the half-width is finite.
 template <class Scalar_>
-class ChebyshevSystem : public RollingSystem<Scalar_> {
+class Chebyshev::System : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
     /// Takes the result of rolling_system(Chebyshev, kernel): u_m = last . u, and a_0 ... a_m = stiffness u.
-    ChebyshevSystem(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
+    System(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
         : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
 
     /// p/G from the unknowns of any problem on the system, real or complex; also p/(G xi) from unknowns per creepage.
     /// Throws std::invalid_argument unless there are size() unknowns.
     template <class Value>
-    ChebyshevTraction<Value> traction(const VectorX<Value>& unknowns) const {
-        detail::require(unknowns.size() == this->size(), "ChebyshevSystem", "number of unknowns", unknowns.size(),
+    Chebyshev::Traction<Value> traction(const VectorX<Value>& unknowns) const {
+        detail::require(unknowns.size() == this->size(), "Chebyshev::System", "number of unknowns", unknowns.size(),
                         "equal the number of states");
         return {stiffness_.template cast<Value>() * unknowns};
     }
@@ -87,9 +104,9 @@ public:
     /// points. Outputs: F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
     /// std::invalid_argument unless there are at least 2 states: spin acts on u_1.
     RollingSystem<Scalar> with_spin() const {
-        detail::require(this->size() >= 2, "ChebyshevSystem", "number of states", this->size(),
+        detail::require(this->size() >= 2, "Chebyshev::System", "number of states", this->size(),
                         "be at least 2: spin acts on the second");
-        return this->with_spin_by("ChebyshevSystem", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
+        return this->with_spin_by("Chebyshev::System", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
     }
 
 private:
@@ -107,11 +124,11 @@ private:
 /// - the half-width is finite (otherwise only solve_steady exists), and b/a >= 0.001;
 /// - for a plane kernel, Lambda > 0, as its model is otherwise unstable in the time domain.
 template <LineKernel Kernel>
-ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel);
+Chebyshev::System<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel);
 
-/// Steady rolling at unit creepage; the unknowns are the coefficients of a ChebyshevTraction, p/(G xi). The estimate of
-/// c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which decay
-/// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
+/// Steady rolling at unit creepage; the unknowns are the coefficients of a Chebyshev::Traction, p/(G xi). The estimate
+/// of c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which
+/// decay geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
 ///
 /// In steady rolling u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite
 /// half-width has a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
@@ -120,7 +137,7 @@ template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel);
 
 /// The state space of Chebyshev states: without an inverse, B = -e_0.
-inline StateSpace state_space(const ChebyshevSystem<double>& system) {
+inline StateSpace state_space(const Chebyshev::System<double>& system) {
     const Eigen::Index m = system.size();
     StateSpace result{.A = system.rates(),
                       .B = MatrixX<double>::Zero(m, 1),
@@ -147,10 +164,10 @@ namespace rollbem {
 extern template Response<double> solve_steady<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
 extern template Response<double> solve_steady<PlaneKernel<double>>(const Chebyshev&, const PlaneKernel<double>&);
 extern template Response<double> solve_steady<StripKernel<double>>(const Chebyshev&, const StripKernel<double>&);
-extern template ChebyshevSystem<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
-extern template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(const Chebyshev&,
-                                                                            const PlaneKernel<double>&);
-extern template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&,
-                                                                            const StripKernel<double>&);
+extern template Chebyshev::System<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
+extern template Chebyshev::System<double> rolling_system<PlaneKernel<double>>(const Chebyshev&,
+                                                                              const PlaneKernel<double>&);
+extern template Chebyshev::System<double> rolling_system<StripKernel<double>>(const Chebyshev&,
+                                                                              const StripKernel<double>&);
 }  // namespace rollbem
 #endif

@@ -299,27 +299,7 @@ public:
     }
 
     /// Joins the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
-    ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
-        : G_(longitudinal.has_G() ? detail::uncoupled(longitudinal.G(), lateral.G()) : Blocks{}),
-          G_prime_(detail::uncoupled(longitudinal.G_prime(), lateral.G_prime())),
-          elements_(longitudinal.elements()),
-          element_count_(longitudinal.element_count()),
-          aspect_(longitudinal.aspect()),
-          log_strength_{longitudinal.log_strength(), lateral.log_strength()},
-          half_length_limit_((std::min)(longitudinal.half_length_limit(), lateral.half_length_limit())) {
-        const Eigen::Index n = lateral.size();
-        detail::require(n == size(), "ElementSystem", "number of lateral elements", n,
-                        "equal the number of longitudinal ones");
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Scalar ratio = lateral.weights()[i] / longitudinal.weights()[i];
-            detail::require(std::abs(ratio - 1) <= 16 * std::numeric_limits<Scalar>::epsilon(), "ElementSystem",
-                            "width of a lateral element over the width of the longitudinal one", ratio, "be 1");
-        }
-        const bool aspects_differ = aspect_ && lateral.aspect() && *aspect_ != *lateral.aspect();
-        detail::require(!aspects_differ, "ElementSystem", "b/a of the lateral kernel",
-                        lateral.aspect().value_or(Scalar(0)), "be b/a of the longitudinal kernel");
-        if (!aspect_) aspect_ = lateral.aspect();
-    }
+    ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral);
 
     Eigen::Index size() const { return elements_.size(); }  ///< n, number of unknown elements
     /// Number of elements of the mesh, as with one direction.
@@ -350,20 +330,7 @@ public:
         return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
                 detail::force_weights(elements_)};
     }
-    /// Fingerprint as in RollingSystem.
-    std::uint64_t fingerprint() const {
-        detail::Fingerprint fingerprint;
-        detail::add_blocks(G_, fingerprint);
-        detail::add_blocks(G_prime_, fingerprint);
-        fingerprint.add(detail::rigid_slip(elements_));
-        fingerprint.add(detail::force_weights(elements_));
-        if (shapes_) {
-            fingerprint.add(a_over_b_);
-            fingerprint.add(shapes_->first);
-            fingerprint.add(shapes_->step);
-        }
-        return fingerprint.value();
-    }
+    std::uint64_t fingerprint() const;  ///< as in RollingSystem
 
 private:
     Blocks G_, G_prime_;

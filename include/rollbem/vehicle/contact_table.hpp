@@ -25,117 +25,7 @@
 
 namespace rollbem {
 
-/// Zones along the lateral place y [m] in track axes, as on the right rail, from the smallest y (the flange's side) to
-/// the largest. A quantity of a zone is an integral over the wheel's pressures times the zone's weight, so that it
-/// changes continuously when patches merge, part, appear or vanish.
-///
-/// Invariant: at most four zones; half-widths are positive, and cuts ascend and do not overlap.
-class ContactZones {
-public:
-    static constexpr Eigen::Index most = 4;
-
-    /// The transition between two zones, from y - half_width to y + half_width.
-    struct Cut {
-        double y, half_width;  ///< [m]
-    };
-
-    /// One zone.
-    ContactZones() = default;
-    /// Throws std::invalid_argument if the cuts break the invariant.
-    explicit ContactZones(std::vector<Cut> cuts);
-
-    Eigen::Index count() const { return static_cast<Eigen::Index>(cuts_.size()) + 1; }
-    const std::vector<Cut>& cuts() const { return cuts_; }
-
-    /// The share of a zone in a quantity at y, 0 to 1; twice continuously differentiable.
-    double weight(Eigen::Index zone, double y) const;
-
-private:
-    double low(std::size_t k) const { return cuts_[k].y - cuts_[k].half_width; }
-    double high(std::size_t k) const { return cuts_[k].y + cuts_[k].half_width; }
-    static double beyond(const Cut& cut, double y);
-
-    std::vector<Cut> cuts_;
-};
-
-/// Friction of one wheel.
-struct WheelFriction {
-    double coefficient = 0.3;                                   ///< mu [-]
-    std::array<double, ContactZones::most> factor{1, 1, 1, 1};  ///< factor of mu in each zone [-]
-    const ReducedFriction* reduced = nullptr;                   ///< reduced friction of wet or dirty rails, if any
-
-    WheelFriction(double mu = 0.3) : coefficient(mu) {}  // NOLINT: a number is friction
-};
-
-/// The load of a wheel.
-struct WheelLoad {
-    double vertical;  ///< Q [N], carried by normal forces and friction
-    /// Roll of the wheelset [rad], from ContactTable::on_rails. Empty: each wheel takes the roll of equal loads.
-    std::optional<double> roll{};
-
-    WheelLoad(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load
-};
-
-/// Forces of the rail on one wheel.
-struct WheelForces {
-    /// Contact of a wheel in one zone of the rail, as on the right wheel.
-    struct Point {
-        double load_share = 0;        ///< share of the vertical load, without friction [-]; 0: no contact, no numbers
-        std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
-        double angle = 0;             ///< angle delta of the pressures' mean normal, along which N acts [rad]
-        double friction_angle = 0;    ///< angle of the plane in which the force acts: of the patches' planes [rad]
-        double rolling_radius = 0;    ///< [m]
-        double rail_y = 0, wheel_y = 0;      ///< y of the point in both profiles [m]
-        double normal_load = 0;              ///< N [N]
-        double peak_pressure = 0;            ///< largest pressure in the zone [Pa]
-        PatchContact ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
-        Creepage creepage{};                 ///< wheel minus rail, as creepage_of
-        TangentialForce force{};             ///< force on the wheel in the plane [N], moment [N m]
-        double rolling_velocity = 0;         ///< V [m/s], below 0 where the wheel rolls backwards
-        double heat = 0;                     ///< heat of friction [W]
-    };
-
-    /// Inputs by which the forces are differentiated.
-    enum Input : Eigen::Index {
-        lateral,
-        yaw,
-        forward,
-        pitch_rate,
-        lateral_speed,
-        vertical_speed,
-        roll_rate,
-        yaw_rate,
-        load,
-        mu,
-        roll,  ///< 0 unless the load has a roll
-        inputs
-    };
-
-    /// In track axes, also of a left wheel, F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. If
-    /// the status is invalid_step, normal forces alone; otherwise NaN unless ok.
-    Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
-        Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
-    /// Derivatives of the force, a column for each Input in SI units; exact, to the digits of single precision, except
-    /// at jumps of higher derivatives.
-    Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
-        Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
-    std::array<Point, ContactZones::most> points;
-    double heat = 0;  ///< heat of friction at all points [W]
-    /// The load lies between the loads of the table. If not, places and shares are taken at the table's border, with an
-    /// unknown error.
-    bool load_on_table = false;
-    /// Status of the look-up, other than ok:
-    ///
-    /// - wrong_table: the position, or the shift equivalent to the roll, lies beyond the table, no zone carries there,
-    ///   or Poisson's ratios differ;
-    /// - invalid_load: load or mu is negative;
-    /// - invalid_step: the wheel does not roll, as the mean of its speed and its circumferential speed is 0;
-    /// - not_finite;
-    /// - no_solution: the rail cannot carry the load, as friction holds the wheel up.
-    Status status = Status::not_finite;
-
-    auto derivative(Input input) const { return tangent.col(input); }
-};
+struct WheelForces;
 
 namespace detail {
 class WheelLookUp;
@@ -145,6 +35,20 @@ class WheelLookUp;
 /// rolling radius and load share of the pressures in it, and an ellipse for their creep forces. A left wheel that is
 /// the mirror image of the right wheel has no numbers of its own.
 ///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto table = ContactTable::read("share/rollbem/s1002_60e1.contact");
+///     const auto creep = CreepForceTable::read("share/rollbem/steel.creep");
+///     // each step: 2 mm to the right at 20 m/s, 80 kN, mu = 0.3
+///     const WheelForces now = table.look_up(creep, WheelsetSide::right, {.lateral = 2e-3},
+///                                           {.forward = 20, .pitch_rate = -20 / 0.46}, 80e3, 0.3);
+///     return now.status == Status::ok && now.force[2] < 0 ? 0 : 1;  // the rail carries
+/// }
+/// \endcode
+///
 /// Values are interpolated by local cubics along the shift and the cube root of the load, and by polynomials in yaw^2
 /// along the yaw: on straight rails the contact at -yaw is the mirror image, across the track, of the contact at yaw.
 /// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures,
@@ -152,6 +56,57 @@ class WheelLookUp;
 /// its border, and ellipses grow with N^(1/3). Immutable: threads may share it.
 class ContactTable {
 public:
+    /// Zones along the lateral place y [m] in track axes, as on the right rail, from the smallest y (the flange's side)
+    /// to the largest. A quantity of a zone is an integral over the wheel's pressures times the zone's weight, so that
+    /// it changes continuously when patches merge, part, appear or vanish.
+    ///
+    /// Invariant: at most four zones; half-widths are positive, and cuts ascend and do not overlap.
+    class Zones {
+    public:
+        static constexpr Eigen::Index most = 4;
+
+        /// The transition between two zones, from y - half_width to y + half_width.
+        struct Cut {
+            double y, half_width;  ///< [m]
+        };
+
+        /// One zone.
+        Zones() = default;
+        /// Throws std::invalid_argument if the cuts break the invariant.
+        explicit Zones(std::vector<Cut> cuts);
+
+        Eigen::Index count() const { return static_cast<Eigen::Index>(cuts_.size()) + 1; }
+        const std::vector<Cut>& cuts() const { return cuts_; }
+
+        /// The share of a zone in a quantity at y, 0 to 1; twice continuously differentiable.
+        double weight(Eigen::Index zone, double y) const;
+
+    private:
+        double low(std::size_t k) const { return cuts_[k].y - cuts_[k].half_width; }
+        double high(std::size_t k) const { return cuts_[k].y + cuts_[k].half_width; }
+        static double beyond(const Cut& cut, double y);
+
+        std::vector<Cut> cuts_;
+    };
+
+    /// The load of a wheel.
+    struct Load {
+        double vertical;  ///< Q [N], carried by normal forces and friction
+        /// Roll of the wheelset [rad], from ContactTable::on_rails. Empty: each wheel takes the roll of equal loads.
+        std::optional<double> roll{};
+
+        Load(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load
+    };
+
+    /// Friction of one wheel.
+    struct Friction {
+        double coefficient = 0.3;                            ///< mu [-]
+        std::array<double, Zones::most> factor{1, 1, 1, 1};  ///< factor of mu in each zone [-]
+        const ReducedFriction* reduced = nullptr;            ///< reduced friction of wet or dirty rails, if any
+
+        Friction(double mu = 0.3) : coefficient(mu) {}  // NOLINT: a number is friction
+    };
+
     /// Coordinates of the nodes.
     ///
     /// Invariant: all ascend and are finite; 5 to 10001 shifts, mirror images of each other; 2 to 8 yaws from 0; 1 to 8
@@ -172,7 +127,7 @@ public:
     /// Numbers of the right wheel, or of the left wheel as a right wheel.
     struct Side {
         double radius = 0;  ///< radius of the tape circle [m]
-        ContactZones zones{};
+        Zones zones{};
         /// Height of the wheel, z_ws + half_base roll [m], and roll of the wheelset [rad], under equal loads: 2 x
         /// nodes.
         Eigen::ArrayXXd on_rails{};
@@ -266,12 +221,10 @@ public:
     /// the sum of N cos delta - F_s sin delta, by Newton's method. Below 1e-100 N a wheel carries nothing; above 1e150
     /// N the status is invalid_load. Does not allocate.
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                        const WheelsetSpeeds& speeds, const WheelLoad& load,
-                        const WheelFriction& friction) const noexcept;
+                        const WheelsetSpeeds& speeds, const Load& load, const Friction& friction) const noexcept;
     /// Forces without tangents (the matrix is zero), in less time.
     WheelForces forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                       const WheelsetSpeeds& speeds, const WheelLoad& load,
-                       const WheelFriction& friction) const noexcept;
+                       const WheelsetSpeeds& speeds, const Load& load, const Friction& friction) const noexcept;
 
 private:
     friend class detail::WheelLookUp;
@@ -303,6 +256,67 @@ private:
     std::vector<double> roots_;  ///< cube roots of the loads
     std::vector<Stored> sides_;
     std::vector<Errors> errors_;
+};
+
+/// Forces of the rail on one wheel.
+struct WheelForces {
+    /// Contact of a wheel in one zone of the rail, as on the right wheel.
+    struct Point {
+        double load_share = 0;        ///< share of the vertical load, without friction [-]; 0: no contact, no numbers
+        std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
+        double angle = 0;             ///< angle delta of the pressures' mean normal, along which N acts [rad]
+        double friction_angle = 0;    ///< angle of the plane in which the force acts: of the patches' planes [rad]
+        double rolling_radius = 0;    ///< [m]
+        double rail_y = 0, wheel_y = 0;      ///< y of the point in both profiles [m]
+        double normal_load = 0;              ///< N [N]
+        double peak_pressure = 0;            ///< largest pressure in the zone [Pa]
+        PatchContact ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
+        Creepage creepage{};                 ///< wheel minus rail, as creepage_of
+        TangentialForce force{};             ///< force on the wheel in the plane [N], moment [N m]
+        double rolling_velocity = 0;         ///< V [m/s], below 0 where the wheel rolls backwards
+        double heat = 0;                     ///< heat of friction [W]
+    };
+
+    /// Inputs by which the forces are differentiated.
+    enum Input : Eigen::Index {
+        lateral,
+        yaw,
+        forward,
+        pitch_rate,
+        lateral_speed,
+        vertical_speed,
+        roll_rate,
+        yaw_rate,
+        load,
+        mu,
+        roll,  ///< 0 unless the load has a roll
+        inputs
+    };
+
+    /// In track axes, also of a left wheel, F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. If
+    /// the status is invalid_step, normal forces alone; otherwise NaN unless ok.
+    Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
+        Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
+    /// Derivatives of the force, a column for each Input in SI units; exact, to the digits of single precision, except
+    /// at jumps of higher derivatives.
+    Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
+        Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
+    std::array<Point, ContactTable::Zones::most> points;
+    double heat = 0;  ///< heat of friction at all points [W]
+    /// The load lies between the loads of the table. If not, places and shares are taken at the table's border, with an
+    /// unknown error.
+    bool load_on_table = false;
+    /// Status of the look-up, other than ok:
+    ///
+    /// - wrong_table: the position, or the shift equivalent to the roll, lies beyond the table, no zone carries there,
+    ///   or Poisson's ratios differ;
+    /// - invalid_load: load or mu is negative;
+    /// - invalid_step: the wheel does not roll, as the mean of its speed and its circumferential speed is 0;
+    /// - not_finite;
+    /// - no_solution: the rail cannot carry the load, as friction holds the wheel up.
+    Status status = Status::not_finite;
+
+    auto derivative(Input input) const { return tangent.col(input); }
 };
 
 }  // namespace rollbem

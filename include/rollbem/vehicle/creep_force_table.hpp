@@ -130,24 +130,20 @@ private:
     std::vector<Place> nodes_;
 };
 
-/// Result of a look-up, in the units of the contact.
-struct TabulatedForce {
-    TangentialForce force;            ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
-    CreepageTangent tangent;          ///< d force/d creepage: the exact derivative of the interpolation, as are the
-                                      ///< following
-    TangentialForce tangent_by_load;  ///< derivative at constant semi-axes [1], [m]
-    TangentialForce tangent_by_friction_coefficient;  ///< [N], [N m]
-    TangentialForce tangent_by_half_length;           ///< derivative at constant half-width [N/m], [N]
-    TangentialForce tangent_by_half_width;            ///< derivative at constant half-length [N/m], [N]
-    /// a/b lies on the table. If not, forces belong to its nearest ellipse with the same area: they are continuous, but
-    /// their error is unknown.
-    bool a_over_b_on_table = false;
-    /// not_finite, invalid_load (mu or N is negative or not finite), or wrong_table
-    Status status = Status::not_finite;
-};
-
 /// Steady creep forces of ellipses under Hertz's pressure, interpolated in log(a/b), xi, eta and phi (see
 /// CreepForceGrid) by cubic splines.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto table = CreepForceTable::read("share/rollbem/steel.creep");
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
+///     const auto now = table.look_up(contact, 0.3, 80e3, {1e-3, 5e-4, 0.1});  // mu, N [N], xi, eta [-], spin [1/m]
+///     return now.status == Status::ok && now.force.longitudinal < 0 ? 0 : 1;
+/// }
+/// \endcode
 ///
 /// - Smoothness: forces have two continuous derivatives, and one where creepage and spin vanish and where the bound
 ///   begins to act and takes over.
@@ -158,13 +154,26 @@ struct TabulatedForce {
 ///   reaches mu N, with no slope, where the interpolation does.
 ///
 /// Immutable: threads may share it.
-///
-///     const CreepForceTable table = CreepForceTable::read("share/rollbem/steel.creep");
-///     const PatchContact contact({a, b, G, nu});
-///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
-///     if (now.status != Status::ok) ...
 class CreepForceTable {
 public:
+    class Source;  // in make_creep_force_table.hpp
+
+    /// Result of a look-up, in the units of the contact.
+    struct Force {
+        TangentialForce force;  ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
+        /// d force/d creepage: the exact derivative of the interpolation, as are the following.
+        TangentialForce::ByCreepage tangent;
+        TangentialForce tangent_by_load;                  ///< derivative at constant semi-axes [1], [m]
+        TangentialForce tangent_by_friction_coefficient;  ///< [N], [N m]
+        TangentialForce tangent_by_half_length;           ///< derivative at constant half-width [N/m], [N]
+        TangentialForce tangent_by_half_width;            ///< derivative at constant half-length [N/m], [N]
+        /// a/b lies on the table. If not, forces belong to its nearest ellipse with the same area: they are continuous,
+        /// but their error is unknown.
+        bool a_over_b_on_table = false;
+        /// not_finite, invalid_load (mu or N is negative or not finite), or wrong_table
+        Status status = Status::not_finite;
+    };
+
     /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of
     /// the contact.
     struct LinearForce {
@@ -197,8 +206,8 @@ public:
     /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
     /// wrong_table if Poisson's ratio differs from the table's by more than 0.01, or for an outline. Without friction
     /// or load, or if mu N is below 1e-308 G a b, there is no force at rest and no tangent. Does not allocate.
-    TabulatedForce look_up(const PatchContact& contact, double friction_coefficient, double load,
-                           const Creepage& creepage) const noexcept;
+    CreepForceTable::Force look_up(const PatchContact& contact, double friction_coefficient, double load,
+                                   const Creepage& creepage) const noexcept;
 
     /// The force of look_up() alone, to the rounding of Digits, float or double, in less time; not finite where
     /// creepages are not. Unchecked: semi-axes and G must satisfy the rules of PatchContact, and Poisson's ratio must
@@ -227,7 +236,22 @@ private:
 };
 
 /// Friction on wet, dirty or dry rails, after O. Polach, Creep forces in simulations of traction vehicles running on
-/// adhesion limit, Wear 258 (2005) 992-1000. His coefficient falls with the magnitude w [m/s] of the slip velocity,
+/// adhesion limit, Wear 258 (2005) 992-1000.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto table = CreepForceTable::read("share/rollbem/steel.creep");
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
+///     const ReducedFriction wet({.adhesion_factor = 0.3, .slip_factor = 0.1, .friction_ratio = 0.4, .fall = 0.2});
+///     const auto now = wet.look_up(table, contact, 0.3, 80e3, 20, {1e-3, 5e-4, 0.1});  // at 20 m/s
+///     return now.status == Status::ok && now.friction_coefficient < 0.3 ? 0 : 1;
+/// }
+/// \endcode
+///
+/// His coefficient falls with the magnitude w [m/s] of the slip velocity,
 ///
 ///     mu(w) = mu_0 ((1 - A) exp(-B w) + A),    w = V sqrt(xi^2 + eta^2 + phi^2 (a^2 + b^2)/5),
 ///
@@ -245,8 +269,6 @@ private:
 /// full sliding r = 1 - 2/pi (1/k_S - 1/k_A)/eps, that is, forces rise to mu(w) N as slowly as his. A factor of the
 /// creepages could not do this, because the table is in full sliding from a finite |X| on. As r <= 1, forces oppose
 /// slip and remain within mu N wherever the table's forces do.
-///     const ReducedFriction wet({.adhesion_factor = 0.3, .slip_factor = 0.1, .friction_ratio = 0.4, .fall = 0.2});
-///     const ReducedFriction::Force now = wet.look_up(table, contact, 0.3, load, speed, {xi, eta, phi});
 class ReducedFriction {
 public:
     struct Parameters {
@@ -262,7 +284,7 @@ public:
     /// Result of a look-up. Tangents by creepage, load, a and b hold at constant speed and mu_0; the tangent by the
     /// friction coefficient is by mu_0. Status not_finite also if the speed is not finite, invalid_step if it is
     /// negative.
-    struct Force : TabulatedForce {
+    struct Force : CreepForceTable::Force {
         TangentialForce tangent_by_speed;                                        ///< [N s/m], [N s]
         double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
     };

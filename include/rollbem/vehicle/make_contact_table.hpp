@@ -23,49 +23,65 @@ namespace rollbem {
 ContactTable::Grid contact_table_grid(double nominal_load = 1e5, double largest_shift = 9e-3, std::size_t shifts = 361,
                                       double largest_yaw = 15e-3, std::size_t yaws = 4);
 
-/// What a contact table is made of, and how.
-struct ContactTableOptions {
-    ContactTable::Grid grid = contact_table_grid();
-    WheelOnRail::Options contacts{};
-    /// Zones of the left and of the right wheel; empty: found.
-    std::array<std::optional<ContactZones>, 2> zones{};
-    /// Whether ellipses are fitted to friction on the patches between rest and full sliding, which takes most of the
-    /// time; otherwise errors are about half as large again.
-    bool fits_friction = true;
-    std::size_t jobs = 1;
-    std::function<void()> done = [] {};  ///< called after each line of contacts, and of a side's rows; must not throw
-    /// Number of lines of shifts, one for each load and yaw: all yaws of a load follow one another.
-    std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
-};
-
-/// One wheel at a node of the grid, in the numbers of a table.
-struct ContactNode {
-    bool known = false;                       ///< whether both wheels carry their loads at the node
-    double support = 0, roll = 0;             ///< numbers of ContactTable::Side::on_rails [m], [rad]
-    std::vector<ContactRow::Values> zones{};  ///< a row for each
-};
-
-/// Zones, and all nodes in the order of ContactTable::Grid::node.
-struct ContactSide {
-    ContactZones zones;
-    std::vector<ContactNode> nodes;
-};
-
-/// A table, and the quality of its making.
-struct MadeContactTable {
-    ContactTable table;
-    /// Share of the positions of the grid that the wheels cannot take under their loads. Shifts beyond the first such
-    /// position on either side are not on the table; single ones are filled in from their neighbours.
-    double missing_share = 0;
-};
-
 /// Makes the table of a wheelset whose wheels carry equal loads, line by line of its grid, so that several machines may
 /// share the lines. One side, the right one, stands for both where they are mirror images.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+/// #include <rollbem/vehicle/make_contact_table.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const auto creep = CreepForceTable::read("share/rollbem/steel.creep");
+///     const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
+///     // all lines in one process, coarse: 9 shifts, 2 yaws, 4 loads
+///     const auto made = make_contact_table(
+///         wheelset, creep, {.grid = contact_table_grid(80e3, 2e-3, 9, 1e-3, 2), .fits_friction = false});
+///     return made.missing_share == 0 ? 0 : 1;
+/// }
+/// \endcode
 class ContactTableMaker {
 public:
+    /// What a contact table is made of, and how.
+    struct Options {
+        ContactTable::Grid grid = contact_table_grid();
+        WheelOnRail::Options contacts{};
+        /// Zones of the left and of the right wheel; empty: found.
+        std::array<std::optional<ContactTable::Zones>, 2> zones{};
+        /// Whether ellipses are fitted to friction on the patches between rest and full sliding, which takes most of the
+        /// time; otherwise errors are about half as large again.
+        bool fits_friction = true;
+        std::size_t jobs = 1;
+        /// Called after each line of contacts, and after each line of the rows of a side; must not throw.
+        std::function<void()> done = [] {};
+        /// Number of lines of shifts, one for each load and yaw: all yaws of a load follow one another.
+        std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
+    };
+
+    /// One wheel at a node of the grid, in the numbers of a table.
+    struct Node {
+        bool known = false;                       ///< whether both wheels carry their loads at the node
+        double support = 0, roll = 0;             ///< numbers of ContactTable::Side::on_rails [m], [rad]
+        std::vector<ContactRow::Values> zones{};  ///< a row for each
+    };
+
+    /// Zones, and all nodes in the order of ContactTable::Grid::node.
+    struct Side {
+        ContactTable::Zones zones;
+        std::vector<Node> nodes;
+    };
+
+    /// A table, and the quality of its making.
+    struct Result {
+        ContactTable table;
+        /// Share of the positions of the grid that the wheels cannot take under their loads. Shifts beyond the first
+        /// such position on either side are not on the table; single ones are filled in from their neighbours.
+        double missing_share = 0;
+    };
+
     /// The table will be used with `creep`; `creep` and `track` must outlive the maker. Throws std::invalid_argument if
     /// the grid breaks its invariant, a wheel is not round or a rail changes along the way.
-    ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep, ContactTableOptions options);
+    ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep, Options options);
 
     std::size_t side_count() const { return track_.is_mirrored() ? 1 : 2; }  ///< left and right, or both in one
 
@@ -76,31 +92,31 @@ public:
     /// Finds the contacts along these lines, and the zones where they are not given.
     void solve(std::vector<std::size_t> lines);
 
-    const ContactZones& zones(std::size_t side) const { return zones_[side]; }  ///< after solve()
+    const ContactTable::Zones& zones(std::size_t side) const { return zones_[side]; }  ///< after solve()
 
     /// A node of a solved line.
-    ContactNode node(std::size_t side, std::size_t line, std::size_t shift) const;
+    Node node(std::size_t side, std::size_t line, std::size_t shift) const;
 
     /// The table of all nodes. Throws std::invalid_argument if the wheels do not carry the loads at five shifts about
     /// 0, or if sides, nodes, or rows of a node are missing.
-    MadeContactTable table(const std::vector<ContactSide>& sides) const;
+    Result table(const std::vector<Side>& sides) const;
 
 private:
     struct Nodes;  // internal
 
     static constexpr const char* name = "make_contact_table";
 
-    void require_whole(const std::vector<ContactSide>& sides) const;
+    void require_whole(const std::vector<Side>& sides) const;
     const TrackDimensions& dimensions(std::size_t side) const {
         return track_.wheel(side + 1 == side_count() ? WheelsetSide::right : WheelsetSide::left).dimensions();
     }
     ContactTable::Material material() const;
-    const std::optional<ContactZones>& given_zones(std::size_t side) const {
+    const std::optional<ContactTable::Zones>& given_zones(std::size_t side) const {
         return options_.zones[side + 1 == side_count() ? 1 : 0];
     }
     /// Nodes by which the zones of a side are judged.
     std::vector<std::size_t> judged_places(std::size_t side) const;
-    ContactZones zones_of(std::size_t side);
+    ContactTable::Zones zones_of(std::size_t side);
     void solve_friction(std::size_t side, std::size_t place);
     /// Computes the rows of all nodes of a line.
     void fill_line(std::size_t side, std::size_t line);
@@ -111,15 +127,15 @@ private:
 
     const WheelsetOnTrack& track_;
     const CreepForceTable& creep_;
-    ContactTableOptions options_;
+    Options options_;
     detail::Hidden<Nodes> nodes_;
     std::vector<bool> is_solved_;
-    std::array<ContactZones, 2> zones_;
+    std::array<ContactTable::Zones, 2> zones_;
 };
 
 /// Makes a complete table by ContactTableMaker, whose exceptions it throws.
-MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
-                                    const ContactTableOptions& options = {});
+ContactTableMaker::Result make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
+                                             const ContactTableMaker::Options& options = {});
 
 }  // namespace rollbem
 

@@ -20,12 +20,12 @@ namespace rollbem {
 
 /// Steady forces of one ellipse by about n^2 elements; under large spin with its pole on the ellipse or near its edge,
 /// a mean of two meshes.
-class CreepForceSource {
+class CreepForceTable::Source {
 public:
     /// Throws std::invalid_argument unless a/b and Poisson's ratio are a contact's, and n lies in [2, 1000].
-    CreepForceSource(double a_over_b, double poisson_ratio, Eigen::Index n);
-    CreepForceSource(const CreepForceSource&) = delete;
-    CreepForceSource& operator=(const CreepForceSource&) = delete;
+    Source(double a_over_b, double poisson_ratio, Eigen::Index n);
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
 
     const PatchContact& contact() const { return contact_; }
     /// The first of the two meshes.

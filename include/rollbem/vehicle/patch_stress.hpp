@@ -12,24 +12,18 @@
 
 namespace rollbem {
 
-/// The largest stress below a strip of a patch.
-struct StripStress {
-    double s = 0, x = 0;  ///< the strip's middle, and the place where von Mises' measure is largest below it [m]
-    SubsurfacePeak peak;  ///< there
-};
-
 /// Below each strip the largest of the stresses under the middles of its elements, down to the length of the patch, by
 /// tractions and pressures of all patches of the plane; in the rail, which is as stiff as the wheel: stresses in the
 /// wheel are mirror images under opposite tractions. Empty for friction without a result. Throws as
-/// subsurface_stress().
-std::vector<StripStress> stresses_below(const PatchForce& friction, double poisson_ratio);
+/// subsurface_stress(). The point of a strip is its middle y = s and the place x where von Mises' measure is largest.
+std::vector<Yield::Peak> stresses_below(const PatchForce& friction, double poisson_ratio);
 
 /// A patch in the map of shakedown (Johnson 1989): its load factor and coefficient of traction.
-struct ShakedownPoint {
+struct Yield::Shakedown {
     double load_factor;  ///< the peak pressure over k, the yield stress in shear [-]
     double traction;     ///< force of friction over the load [-]
 };
-ShakedownPoint shakedown_point(const RailPatch& patch, const PatchForce& friction, double shear_yield);
+Yield::Shakedown shakedown_point(const RailPatch& patch, const PatchForce& friction, double shear_yield);
 
 }  // namespace rollbem
 

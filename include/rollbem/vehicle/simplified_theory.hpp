@@ -12,34 +12,6 @@
 
 namespace rollbem {
 
-/// Largest traction of FASTSIM over the ellipse; both bounds carry mu N.
-enum class TractionBound {
-    parabolic,  ///< mu 2N/(pi a b) (1 - x^2/a^2 - y^2/b^2): Kalker's, the pressure of simplified theory
-    elliptic    ///< mu times Hertz's pressure
-};
-
-/// Strips of an ellipse, narrower towards its tips, and elements of equal length in each.
-struct SimplifiedMesh {
-    int strips = 10, elements = 10;
-    TractionBound bound = TractionBound::parabolic;
-};
-
-/// An element in simplified theory; elements are found from the leading to the trailing edge of each strip.
-struct SimplifiedElement {
-    int strip;                       ///< number of the strip, counted from y = -b
-    double x, y;                     ///< its centre [m]
-    double area;                     ///< [m^2]
-    std::array<double, 2> traction;  ///< p_x, p_y on body 1 [Pa]
-    std::array<double, 2> slip;  ///< slip of body 1 on body 2 over the rolling velocity [-]; FaStrip takes FASTSIM's
-    bool slips;
-};
-
-/// Forces of simplified theory on body 1.
-struct SimplifiedForce {
-    TangentialForce force{};             ///< NaN unless ok
-    Status status = Status::not_finite;  ///< not_finite: creepages, or their forces; otherwise ok
-};
-
 /// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
 /// source. Signs are as in Creepage. Convergence is of first order in the elements of a strip. Nothing allocates.
 ///
@@ -48,7 +20,7 @@ struct SimplifiedForce {
 ///
 /// int main() {
 ///     using namespace rollbem;
-///     const PatchContact contact({.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+///     const PatchContact contact({6e-3, 4e-3, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
 ///     const auto steady = solve_steady(contact, patch_mesh(contact, 8, 8), NodeDifference{Nodes::chebyshev});
 ///     const SimplifiedTheory theory(contact, creep_coefficients(contact, steady), 0.3, 80e3);
 ///     return theory.fastsim({1e-3, 5e-4, 0.1}).force.longitudinal < 0 ? 0 : 1;
@@ -59,19 +31,51 @@ struct SimplifiedForce {
 /// each of at least one element.
 class SimplifiedTheory {
 public:
+    /// Largest traction of FASTSIM over the ellipse; both bounds carry mu N.
+    enum class Bound {
+        parabolic,  ///< mu 2N/(pi a b) (1 - x^2/a^2 - y^2/b^2): Kalker's, the pressure of simplified theory
+        elliptic    ///< mu times Hertz's pressure
+    };
+
+    /// Strips of an ellipse, narrower towards its tips, and elements of equal length in each.
+    struct Mesh {
+        int strips = 10, elements = 10;
+        Bound bound = Bound::parabolic;
+    };
+
+    /// An element in simplified theory; elements are found from the leading to the trailing edge of each strip.
+    struct Element {
+        int strip;                       ///< number of the strip, counted from y = -b
+        double x, y;                     ///< its centre [m]
+        double area;                     ///< [m^2]
+        std::array<double, 2> traction;  ///< p_x, p_y on body 1 [Pa]
+        std::array<double, 2>
+            slip;  ///< slip of body 1 on body 2 over the rolling velocity [-]; FaStrip takes FASTSIM's
+        bool slips;
+    };
+
+    /// Forces of simplified theory on body 1.
+    struct Force {
+        TangentialForce force{};             ///< NaN unless ok
+        Status status = Status::not_finite;  ///< not_finite: creepages, or their forces; otherwise ok
+    };
+
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
     SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
-                     double friction_coefficient, double load, const SimplifiedMesh& mesh = {});
+                     double friction_coefficient, double load, const Mesh& mesh);
+    SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
+                     double friction_coefficient, double load)
+        : SimplifiedTheory(contact, coefficients, friction_coefficient, load, Mesh{}) {}
 
     /// Kalker's FASTSIM: displacement is proportional to traction, by the flexibilities L1 = 8a/(3 c11 G), L2 = 8a/(3
     /// c22 G) and L3 = pi a sqrt(a/b)/(4 c23 G), which give the linear law, and particles enter at the leading edge
-    /// without traction. `visit` is called with each SimplifiedElement.
+    /// without traction. `visit` is called with each Element.
     template <class Visitor>
-    SimplifiedForce fastsim(const Creepage& creepage, Visitor&& visit) const {
+    Force fastsim(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, false, visit);
     }
-    SimplifiedForce fastsim(const Creepage& creepage) const {
-        return solve(creepage, false, [](const SimplifiedElement&) {});
+    Force fastsim(const Creepage& creepage) const {
+        return solve(creepage, false, [](const Element&) {});
     }
 
     /// FaStrip. Elements in the stick zone follow strip theory: Carter's solution with lateral creepage and spin,
@@ -80,11 +84,11 @@ public:
     /// strip's equations at any Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu.
     /// Where |3 c c23 G phi/(2 pi mu p0)| >= 1, strip theory has no stick.
     template <class Visitor>
-    SimplifiedForce fastrip(const Creepage& creepage, Visitor&& visit) const {
+    Force fastrip(const Creepage& creepage, Visitor&& visit) const {
         return solve(creepage, true, visit);
     }
-    SimplifiedForce fastrip(const Creepage& creepage) const {
-        return solve(creepage, true, [](const SimplifiedElement&) {});
+    Force fastrip(const Creepage& creepage) const {
+        return solve(creepage, true, [](const Element&) {});
     }
 
 private:
@@ -123,17 +127,17 @@ private:
 
     /// One element of FASTSIM. On entry its traction is the traction of the element ahead. Particles come from the
     /// middle of the element ahead, into the first element from the leading edge.
-    void slide(const Creepage& at, const Flexibility& L, double step, double mu_p, SimplifiedElement& element) const;
+    void slide(const Creepage& at, const Flexibility& L, double step, double mu_p, Element& element) const;
 
     /// One element of strip theory. `ahead` is the x of its front edge.
-    void stick_or_slip(const StickZone& zone, const Strip& strip, double ahead, SimplifiedElement& element) const;
+    void stick_or_slip(const StickZone& zone, const Strip& strip, double ahead, Element& element) const;
 
     template <class Visitor>
-    SimplifiedForce solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const;
+    Force solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const;
 
     PatchContact contact_;
     CreepCoefficients<double> c_;
-    SimplifiedMesh mesh_;
+    Mesh mesh_;
     double mu_, peak_;
 };
 

@@ -44,7 +44,7 @@ CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const
 /// no_contact without a load, and not_finite, without work, where the work is not. Throws std::invalid_argument unless
 /// `mu` is finite and not negative, the mesh is one of SimplifiedTheory, and the table fits Poisson's ratio.
 PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable& creep, double mu,
-                         const SimplifiedMesh& mesh = {});
+                         const SimplifiedTheory::Mesh& mesh = {});
 
 /// Archard's coefficient k [-] by the map of KTH (Jendel, Wear 253 (2002) 86-99, the middle of its ranges) over the
 /// pressure [Pa] and the sliding velocity [m/s]: seizure above 0.8 of the hardness [Pa], severe wear from 0.2 to 0.7
@@ -53,6 +53,17 @@ double archard_coefficient(double pressure, double sliding_velocity, double hard
 
 /// A law of wear: the depth that each body loses in a place of contact, per metre rolled. A value; not negative, and 0
 /// where nothing slips.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const WearLaw law = WearLaw::archard_kth();
+///     const WearLaw::Place place{.work = 2e6, .pressure = 1e9, .slip = 5e-3, .sliding_velocity = 0.1};
+///     return law.depth(place) > 0 ? 0 : 1;  // [m] per metre rolled
+/// }
+/// \endcode
 class WearLaw {
 public:
     /// A place of contact.
@@ -99,6 +110,23 @@ PatchForce wear_of(const PatchForce& friction, const WearLaw& law, double veloci
 double arc_length(const Profile& rail, const WheelForces::Point& point);
 
 /// Frictional work per metre rolled, over the arc length of a profile, summed over many patches.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
+///     WheelsetOnTrack::Workspace workspace;
+///     const auto forces = rolling_forces(wheelset, {.position = {.lateral = 4e-3, .yaw = 2e-3}}, {}, workspace);
+///     if (!has_numbers(forces.status())) return 1;
+///     ProfileWear wear(wheelset.wheel().rail(), 200);
+///     for (std::size_t k = 0; k < forces.patches[1].size(); ++k) {
+///         wear.add(forces.contacts.wheels[1].patches[k].rail_s, forces.patches[1][k]);
+///     }
+///     return wear.work().sum() > 0 ? 0 : 1;  // [J/m^2]
+/// }
+/// \endcode
 class ProfileWear {
 public:
     /// Throws std::invalid_argument unless there is a cell.

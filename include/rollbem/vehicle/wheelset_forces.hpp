@@ -23,21 +23,21 @@
 
 namespace rollbem {
 
-/// Friction that falls with the temperature.
-struct HotFriction {
-    double coefficient;  ///< mu at and above `end` [-]
-    double begin, end;   ///< temperatures above ambient between which mu falls or rises linearly [K]
-
-    double at(double cold, double temperature) const {
-        return cold + (coefficient - cold) * std::clamp((temperature - begin) / (end - begin), 0.0, 1.0);
-    }
-};
-
 /// Thermal properties of both bodies, of one material. Each body takes half the heat of friction. Defaults are steel's.
 struct Heating {
+    /// Friction that falls with the temperature.
+    struct Friction {
+        double coefficient;  ///< mu at and above `end` [-]
+        double begin, end;   ///< temperatures above ambient between which mu falls or rises linearly [K]
+
+        double at(double cold, double temperature) const {
+            return cold + (coefficient - cold) * std::clamp((temperature - begin) / (end - begin), 0.0, 1.0);
+        }
+    };
+
     double conductivity = 50;       ///< k [W/(m K)]
     double heat_capacity = 3.53e6;  ///< rho c, per volume [J/(m^3 K)]
-    std::optional<HotFriction> friction{};
+    std::optional<Friction> friction{};
 
     double diffusivity() const { return conductivity / heat_capacity; }  ///< kappa [m^2/s]
     /// Whether heat stays below the point where it enters: V a is at least 10 kappa.
@@ -54,6 +54,16 @@ Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::Array
 
 /// The coefficient of friction over the angle of the rail's surface or over its y, linear between the nodes and
 /// constant beyond them.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const RailFriction greased(RailFriction::Over::angle, {-0.6, -0.2}, {0.15, 0.35});  // gauge face, top
+///     return greased.at(-0.4, 0) == 0.25 ? 0 : 1;
+/// }
+/// \endcode
 class RailFriction {
 public:
     /// Coordinate of the nodes: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
@@ -109,61 +119,16 @@ struct PatchForce {
 
 PatchForce mirrored(PatchForce friction, const Mirror& mirror);
 
-/// A force [N] and its moment [N m] in track axes (x, y, z).
-struct Wrench {
-    std::array<double, 3> force{}, moment{};
-
-    /// Wrench of a force that acts at the end of an arm [m].
-    static Wrench at(const std::array<double, 3>& arm, const std::array<double, 3>& force);
-    Wrench& operator+=(const Wrench& other);
-};
-
-Wrench mirrored(Wrench wrench, const Mirror& mirror);
-
-/// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
-/// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
-/// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
-/// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
-/// compliance of the layer are finite and not negative, and numbers of heating can be meant.
-std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
-                                     const RollingFriction& friction);
-/// The same for each of several motions, in their order; elements of a plane are assembled once for all motions forward.
-std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                                  const std::vector<WheelsetSpeeds>& motions,
-                                                  const TrackDimensions& dimensions, const RollingFriction& friction);
-inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
-                              const TrackDimensions& dimensions, const RollingFriction& friction) {
-    return patch_forces({patch}, at, speeds, dimensions, friction)[0];
-}
-
-/// Wrench of a patch's pressures on its wheel, as on the right; the moment is about (0, y, z). Pressures act along the
-/// normals of the rail's surface in each row of cells: where a wheel rolls steadily, they do no work. Along the plane's
-/// normal they would do work on the slip across it.
-Wrench pressure_wrench_of(const RailPatch& patch, double y, double z);
-
-/// Wrench of a patch's pressures and friction on its wheel, as on the right; the moment is about (0, y, z). In steady
-/// rolling its power equals the power of the creep forces on the creepages.
-Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z);
-
-/// Motion and loads of a wheelset.
-struct WheelsetRolling {
-    WheelsetPosition position;
-    std::array<double, 2> loads{1e5, 1e5};  ///< vertical, left and right [N]
-    WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
-    WheelsetSpeeds speeds{};
-    /// Whether the pitch rate is found instead of taken from the speeds: the longitudinal creepages of both wheels'
-    /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero. A torque is left over.
-    bool free_pitch = true;
-    /// The longitudinal force of friction on the wheelset [N], along x, in place of a pitch rate; about 0 for a
-    /// wheelset without a drive. It takes several solutions of friction.
-    std::optional<double> force{};
-    /// Whether friction's vertical share, which is large on a flange, counts in the loads; otherwise normal forces
-    /// alone carry them.
-    bool loads_include_friction = true;
-};
-
 struct WheelsetForces {
+    /// A force [N] and its moment [N m] in track axes (x, y, z).
+    struct Wrench {
+        std::array<double, 3> force{}, moment{};
+
+        /// Wrench of a force that acts at the end of an arm [m].
+        static Wrench at(const std::array<double, 3>& arm, const std::array<double, 3>& force);
+        Wrench& operator+=(const Wrench& other);
+    };
+
     WheelsetOnTrack::Contacts contacts;
     double pitch_rate =
         std::numeric_limits<double>::quiet_NaN();    ///< [rad/s]; NaN if no wheel touches, or none has the force
@@ -181,6 +146,51 @@ struct WheelsetForces {
     double slip_work() const;
     /// The largest pressure on both wheels [Pa]; 0 without contact.
     double peak_pressure() const;
+};
+
+WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror);
+
+/// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
+/// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
+/// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
+/// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
+/// compliance of the layer are finite and not negative, and numbers of heating can be meant.
+std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                     const RollingFriction& friction);
+/// The same for each of several motions, in their order; elements of a plane are assembled once for motions forward.
+std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                                  const std::vector<WheelsetSpeeds>& motions,
+                                                  const TrackDimensions& dimensions, const RollingFriction& friction);
+inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
+                              const TrackDimensions& dimensions, const RollingFriction& friction) {
+    return patch_forces({patch}, at, speeds, dimensions, friction)[0];
+}
+
+/// Wrench of a patch's pressures on its wheel, as on the right; the moment is about (0, y, z). Pressures act along the
+/// normals of the rail's surface in each row of cells: where a wheel rolls steadily, they do no work. Along the plane's
+/// normal they would do work on the slip across it.
+WheelsetForces::Wrench pressure_wrench_of(const RailPatch& patch, double y, double z);
+
+/// Wrench of a patch's pressures and friction on its wheel, as on the right; the moment is about (0, y, z). In steady
+/// rolling its power equals the power of the creep forces on the creepages.
+WheelsetForces::Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z);
+
+/// Motion and loads of a wheelset.
+struct WheelsetRolling {
+    WheelsetPosition position;
+    std::array<double, 2> loads{1e5, 1e5};  ///< vertical, left and right [N]
+    WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
+    WheelsetSpeeds speeds{};
+    /// Whether the pitch rate is found instead of taken from the speeds: the longitudinal creepages of both wheels'
+    /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero. A torque is left over.
+    bool free_pitch = true;
+    /// The longitudinal force of friction on the wheelset [N], along x, in place of a pitch rate; about 0 for a
+    /// wheelset without a drive. It takes several solutions of friction.
+    std::optional<double> force{};
+    /// Whether friction's vertical share, which is large on a flange, counts in the loads; otherwise normal forces
+    /// alone carry them.
+    bool loads_include_friction = true;
 };
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and

@@ -78,6 +78,20 @@ public:
     /// Height of a wheel minus height of the wheelset [m].
     double height_above(Side side) const { return wheel(side).dimensions().radius - wheel().dimensions().radius; }
 
+    /// The points at which both wheels of a wheelset touch their rails, at one lateral position.
+    struct RollingRadii {
+        double lateral = 0;                                 ///< y_ws [m]
+        std::array<WheelOnRail::RigidContact, 2> wheels{};  ///< left, right, each as on the right wheel
+        Status status =
+            Status::not_finite;  ///< the worse of both wheels; beyond_clearance where a wheel climbs over its
+                                 ///< flange
+
+        /// Delta r = r_right - r_left [m].
+        double difference() const { return wheels[1].rolling_radius - wheels[0].rolling_radius; }
+        /// Lateral distance between both points of contact [m].
+        double distance() const { return wheels[1].y + wheels[0].y; }
+    };
+
     struct Workspace {
         std::array<WheelOnRail::Workspace, 2> wheels;
     };
@@ -122,26 +136,37 @@ private:
     bool is_mirrored_ = false;
 };
 
-/// The points at which both wheels of a wheelset touch their rails, at one lateral position.
-struct RollingRadii {
-    double lateral = 0;                    ///< y_ws [m]
-    std::array<RigidContact, 2> wheels{};  ///< left, right, each as on the right wheel
-    Status status = Status::not_finite;    ///< the worse of both wheels; beyond_clearance where a wheel climbs over its
-                                           ///< flange
-
-    /// Delta r = r_right - r_left [m].
-    double difference() const { return wheels[1].rolling_radius - wheels[0].rolling_radius; }
-    /// Lateral distance between both points of contact [m].
-    double distance() const { return wheels[1].y + wheels[0].y; }
-};
-
 /// Finds the rolling radii of a wheelset without roll and yaw. Throws std::invalid_argument unless wheels are round and
 /// rails straight.
-RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double lateral);
+WheelsetOnTrack::RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double lateral);
 
 /// Delta r over the lateral position, straight between points, and its integral.
+///
+/// \code
+/// #include <rollbem/vehicle.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
+///     const auto radii = radius_difference(wheelset);
+///     return radii && equivalent_conicity(*radii, 3e-3).tan_gamma > 0.01 ? 0 : 1;
+/// }
+/// \endcode
 class RadiusDifference {
 public:
+    /// The wave of one amplitude. Its numbers are valid only if the status is ok.
+    struct Conicity {
+        double amplitude = 0;         ///< A [m], half of y_max - y_min
+        double tan_gamma = 0;         ///< cone with the same wave length as the solution of y'' = -Delta r/(e r0)
+        double tan_gamma_linear = 0;  ///< cone by harmonic linearisation of Delta r
+        double wavelength = 0;        ///< wave length of tan_gamma [m]
+        double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
+        /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
+        /// amplitude passes the equilibrium, as Delta r falls. It is the worse status of both waves: a conicity has no
+        /// numbers without the other one.
+        Status status = Status::not_finite;
+    };
+
     /// `lateral` grows [m]; the distance e between the points of contact and the mean radius r0 [m] determine wave
     /// lengths. Throws std::invalid_argument unless there are at least two points, all finite, and the lengths are
     /// positive.
@@ -167,24 +192,11 @@ private:
     double distance_, radius_;
 };
 
-/// The wave of one amplitude. Its numbers are valid only if the status is ok.
-struct EquivalentConicity {
-    double amplitude = 0;         ///< A [m], half of y_max - y_min
-    double tan_gamma = 0;         ///< cone with the same wave length as the solution of y'' = -Delta r/(e r0)
-    double tan_gamma_linear = 0;  ///< cone by harmonic linearisation of Delta r
-    double wavelength = 0;        ///< wave length of tan_gamma [m]
-    double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
-    /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
-    /// amplitude passes the equilibrium, as Delta r falls. It is the worse status of both waves: a conicity has no
-    /// numbers without the other one.
-    Status status = Status::not_finite;
-};
-
 /// Both methods of EN 15302: the integral of the kinematic wave, of any shape, and the harmonic wave with the same
 /// amplitude and a middle of its own about which Delta r is balanced. On cones both are Klingel's wave; where Delta r
 /// is 0 all over the wave, the conicity is 0 and the wave length infinite. Throws std::invalid_argument unless the
 /// amplitude [m] is finite and at least 1e-6.
-EquivalentConicity equivalent_conicity(const RadiusDifference& radii, double amplitude);
+RadiusDifference::Conicity equivalent_conicity(const RadiusDifference& radii, double amplitude);
 
 /// The nonlinearity parameter of EN 15302 [1/m]: the conicity at 4 mm minus the conicity at 2 mm, over 2 mm; nothing
 /// without both.

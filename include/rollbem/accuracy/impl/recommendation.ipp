@@ -123,9 +123,9 @@ ROLLBEM_DECL Eigen::Index recommended_strips(Eigen::Index n, double a_over_b) {
     return 2 * static_cast<Eigen::Index>(half) + 1;
 }
 
-ROLLBEM_DECL RecommendedPatch recommended_patch(double tolerance, double a_over_b, double spin) {
+ROLLBEM_DECL Recommendation<PatchMesh<double>> recommended_patch(double tolerance, double a_over_b, double spin) {
     constexpr Eigen::Index least_n = 6, largest_n = 32;
-    RecommendedPatch result{.n = least_n, .strips = recommended_strips(least_n, a_over_b)};
+    Recommendation<PatchMesh<double>> result{.n = least_n, .strips = recommended_strips(least_n, a_over_b)};
     detail::require(!detail::is_nan(spin) && spin >= 0, "recommended_patch", "spin", spin, "not be negative");
     const double factor = (std::max)(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt((std::min)(1.0, a_over_b)) *
                           std::sqrt((std::max)(1.0, a_over_b / 10));

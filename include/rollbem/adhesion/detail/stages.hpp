@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/detail/rigid_slip.hpp"
 #include "../../rolling/detail/stage_equations.hpp"
 #include "../../rolling/detail/time_step.hpp"
 #include "../../scene/detail/directions.hpp"

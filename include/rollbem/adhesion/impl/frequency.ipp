@@ -14,6 +14,7 @@
 #include "../../detail/reciprocal_condition.hpp"
 #include "../../detail/require.hpp"
 #include "../../system/detail/dissipation.hpp"
+#include "../../system/detail/response_parts.hpp"
 
 namespace rollbem {
 

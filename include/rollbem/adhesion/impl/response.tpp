@@ -17,6 +17,7 @@
 #include "../../detail/require.hpp"
 #include "../../status.hpp"
 #include "../../system/detail/dissipation.hpp"
+#include "../../system/detail/response_parts.hpp"
 #include "../../system/response.hpp"
 #include "../../system/rolling_system.hpp"
 #include "../../types.hpp"

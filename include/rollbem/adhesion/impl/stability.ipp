@@ -18,8 +18,8 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL UnstableCount count_unstable(const RollingSystem<double>& system) {
-    UnstableCount result;
+ROLLBEM_DECL StabilityResult::Count count_unstable(const RollingSystem<double>& system) {
+    StabilityResult::Count result;
     result.n = system.size();
     const Eigen::PartialPivLU<MatrixX<double>> lu(system.G_prime());
     result.rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G_prime()));

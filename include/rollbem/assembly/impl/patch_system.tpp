@@ -97,4 +97,34 @@ std::vector<RollingSystem<Scalar_>> PatchShapes<Scalar_>::subsystems(std::size_t
     return detail::mirrored_parts<Scalar>(at.G, at.G_prime, elements(a_over_b), strips_, std::sqrt(a_over_b));
 }
 
+template <class Scalar_>
+template <RollingScheme<Scalar_> Scheme, RectangleKernel Kernel>
+PatchShapes<Scalar_>::PatchShapes(const Mesh<Scalar>& along, const Mesh<Scalar>& across, const Scheme& scheme,
+                                  const Kernel& kernel, const Range& range)
+    : circle_(patch_elements(ellipse_mesh<Scalar>(1, along, across), scheme)),
+      mirrored_(ellipse_mesh<Scalar>(1, along, across).is_mirrored()),
+      strips_(across.size()) {
+    detail::require(range.least > 0, "PatchShapes", "least a/b", range.least, "be positive");
+    detail::require(detail::is_finite(range.largest) && range.largest > range.least, "PatchShapes", "largest a/b",
+                    range.largest, "be finite and more than the least");
+    detail::require(range.factor > 1 && range.factor <= 2, "PatchShapes", "factor from node to node", range.factor,
+                    "be more than 1 and at most 2");
+    auto set = std::make_shared<detail::ShapeSet<Scalar>>();
+    const Scalar length = std::log(range.largest / range.least);
+    const int count = (std::max)(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
+    set->first = std::log(range.least);
+    set->step = length / static_cast<Scalar>(count - 1);
+    // the same kind for all, as entries of the two kinds cannot be interpolated
+    const bool over_width = detail::has_wide_strips(ellipse_mesh<Scalar>(range.least, along, across));
+    for (int k = 0; k < count; ++k) {
+        const Scalar a_over_b = std::exp(set->first + static_cast<Scalar>(k) * set->step);
+        set->nodes.push_back(detail::shape_node(ellipse_mesh<Scalar>(a_over_b, along, across), scheme, kernel,
+                                                1 / std::sqrt(a_over_b), over_width));
+    }
+    set->zeta = circle_.x;
+    set->upsilon = circle_.y;
+    set->coupled = kernel.couples();
+    set_ = std::move(set);
+}
+
 }  // namespace rollbem

@@ -17,6 +17,53 @@
 
 namespace rollbem {
 
+template <class Scalar_>
+PatchMesh<Scalar_>::PatchMesh(Data data)
+    : along_(std::move(data.along)),
+      middles_y_(std::move(data.middles_y)),
+      middles_x_(std::move(data.middles_x)),
+      half_lengths_(std::move(data.half_lengths)) {
+    const Eigen::Index m = half_lengths_.size();
+    detail::require(m >= 1, "PatchMesh", "number of strips", m, "be at least 1");
+    detail::require(data.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data.edges.size(),
+                    "be one more than the number of strips");
+    lower_ = data.edges.head(m);
+    upper_ = data.edges.tail(m);
+    check();
+}
+
+template <class Scalar_>
+auto PatchMesh<Scalar_>::rectangles(Scalar unit) const -> std::vector<Rectangle> {
+    std::vector<Rectangle> elements;
+    const Array edges = along().edges();
+    for (Eigen::Index j = 0; j < strip_count(); ++j) {
+        const auto x = [&](Eigen::Index i) { return unit * (middles_x()[j] + half_lengths()[j] * edges[i]); };
+        for (Eigen::Index i = 0; i < elements_per_strip(); ++i) {
+            elements.push_back({x(i), x(i + 1), unit * lower_[j], unit * upper_[j]});
+        }
+    }
+    return elements;
+}
+
+template <class Scalar_>
+void PatchMesh<Scalar_>::check() {
+    const Eigen::Index m = half_lengths_.size();
+    detail::require(middles_y_.size() == m && middles_x_.size() == m, "PatchMesh", "number of middles of strips",
+                    middles_x_.size(), "equal the number of strips");
+    widths_ = upper_ - lower_;
+    mirrored_ = true;
+    for (Eigen::Index j = 0; j < m; ++j) {
+        detail::require_positive("PatchMesh", "width of a strip", widths_[j]);
+        detail::require_positive("PatchMesh", "half-length of a strip", half_lengths_[j]);
+        detail::require(middles_y_[j] > lower_[j] && middles_y_[j] < upper_[j], "PatchMesh",
+                        "y of the middle of a strip", middles_y_[j], "lie between its edges");
+        detail::require_finite("PatchMesh", "x of the middle of a strip", middles_x_[j]);
+        const Eigen::Index k = m - 1 - j;
+        mirrored_ = mirrored_ && lower_[j] == -upper_[k] && middles_y_[j] == -middles_y_[k] &&
+                    middles_x_[j] == middles_x_[k] && half_lengths_[j] == half_lengths_[k];
+    }
+}
+
 namespace detail {
 
 /// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
@@ -118,9 +165,9 @@ PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scal
     ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
     for (Scalar& y : edges) y = place(y) / unit;
     for (Eigen::Index j = 0; j < m; ++j) {
-        const Scalar y = place(middles[j]);
+        const auto y = static_cast<double>(place(middles[j]));
         const double trailing = outline.trailing(y), leading = outline.leading(y);
-        middles[j] = y / unit;
+        middles[j] = place(middles[j]) / unit;
         middles_x[j] = static_cast<Scalar>((trailing + leading) / 2 / unit);
         half_lengths[j] = static_cast<Scalar>((leading - trailing) / 2 / unit);
     }

@@ -89,8 +89,8 @@ ROLLBEM_DECL Eigen::Matrix3d subsurface_stress(const std::vector<LoadedRectangle
     return sum / (2 * std::numbers::pi);
 }
 
-ROLLBEM_DECL SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
-                                            const Eigen::Vector2d& below, double deepest) {
+ROLLBEM_DECL Yield::Peak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
+                                         const Eigen::Vector2d& below, double deepest) {
     constexpr int count = 48;
     const auto depth = [&](double i) { return deepest * (i / count) * (i / count); };
     const auto yield = [&](double i) {
@@ -123,7 +123,7 @@ ROLLBEM_DECL SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& 
     };
     const auto [von_mises, von_mises_depth] = largest(&Yield::von_mises);
     const auto [tresca, tresca_depth] = largest(&Yield::tresca);
-    return {{von_mises, tresca}, von_mises_depth, tresca_depth};
+    return {{von_mises, tresca}, von_mises_depth, tresca_depth, below[0], below[1]};
 }
 
 }  // namespace rollbem

@@ -40,8 +40,7 @@ struct ProblemView {
 /// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow,
 /// Mallet-Paret and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows
 /// weighted by the elements' areas is positive definite, each t has one solution, and the path does not turn back. d
-/// points in directions that differ by an irrational angle from element to element. All memory is allocated by the
-/// constructor.
+/// points in directions that differ by an irrational angle from element to element.
 template <int directions>
 class Homotopy {
 public:
@@ -51,16 +50,11 @@ public:
     explicit Homotopy(Index n)
         : matrix_(directions * n + 1, directions * n + 1),
           swaps_(static_cast<std::size_t>(directions * n + 1)),
-          at_(directions * n + 1),
-          forward_(at_.size()),
-          trial_(at_.size()),
-          change_(at_.size()),
           scale_(n),
-          offset_(n, directions),
-          traction_(n, directions),
-          growth_(n, directions),
-          column_(n, directions),
-          slope_(n, directions * directions) {}
+          slope_(n, directions * directions) {
+        for (VectorX<double>* vector : {&at_, &forward_, &trial_, &change_}) vector->resize(matrix_.rows());
+        for (auto* vectors : {&offset_, &traction_, &growth_, &column_}) vectors->resize(n, directions);
+    }
 
     /// Starts at t = 0; each `number` gives another path.
     void begin(const Problem& problem, int number) {

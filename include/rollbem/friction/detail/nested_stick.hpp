@@ -25,7 +25,6 @@ namespace rollbem::detail {
 /// triangles are stored. A longer list that begins with a shorter one contains the shorter one's factors: a border that
 /// moves at the end of the list costs O(n^2) per element, with the same result as a new factorisation. If a pivot is
 /// small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last bit.
-/// All memory is allocated by the constructor.
 class NestedStick : public RoleLists {
 public:
     using Vector = VectorX<double>;
@@ -42,13 +41,14 @@ public:
 
     explicit NestedStick(const M& matrix)
         : RoleLists(matrix.size()),
-          lower_(Matrix::Zero(matrix.size(), matrix.size())),
+          lower_(Matrix::Zero(whole_blocks(matrix.size()), matrix.size())),
           upper_(lower_),
-          pivoted_(lower_),
-          right_(matrix.size()),
-          solution_(matrix.size()),
-          row_(matrix.size()),
+          pivoted_(matrix.size(), matrix.size()),
+          right_(Vector::Zero(lower_.rows())),
+          solution_(right_),
+          row_(right_),
           stuck_(Vector::Zero(matrix.size())),
+          column_(stuck_),
           placed_(stuck_),
           product_(stuck_),
           swaps_(static_cast<std::size_t>(matrix.size())),
@@ -100,9 +100,9 @@ public:
     template <class Target>
     void form(const M& matrix, const Vectors<1>& X, const Vectors<1>& Y, Target&& target) {
         for (Index l = 0; l < sliding(); ++l) {
-            row_ = matrix.group(0).col(other(l));
-            stick(matrix.group(0), row_);
-            for (Index k = 0; k < sliding(); ++k) target(k, l) = X[k] * row_[other(k)] * Y[l];
+            column_ = matrix.group(0).col(other(l));
+            stick(matrix.group(0), column_);
+            for (Index k = 0; k < sliding(); ++k) target(k, l) = X[k] * column_[other(k)] * Y[l];
         }
     }
 
@@ -150,8 +150,8 @@ private:
         if (uses_pivoted_) {
             solve_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         } else {
-            multiply<lower>(lower_, count, right_, solution_);
-            multiply<upper>(upper_, count, solution_, right_);
+            multiply_triangle<Triangle::lower>(lower_, count, right_, solution_);
+            multiply_triangle<Triangle::upper>(upper_, count, solution_, right_);
         }
         if (together_) {
             stuck(stuck_) = -right_.head(count).reverse();
@@ -162,56 +162,6 @@ private:
         const Index first = listed(count - 1), length = listed(0) - first + 1;
         s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
     }
-    // y = A x of a triangle, whose zeros are left out by blocks of eight rows. The sum of a row goes by panels of columns,
-    // as in Eigen's products of panels.
-    enum Triangle { lower, upper };
-    static constexpr Index panel = 16, rows_together = 8;
-    template <Triangle triangle>
-    static void multiply(const Matrix& A, Index count, const VectorX<double>& x, VectorX<double>& y) {
-        using Block = Eigen::Array<double, rows_together, 1>;
-        Index i = 0;
-        for (; i < count && i + rows_together <= A.rows(); i += rows_together) {
-            const Index first = triangle == lower ? 0 : i;
-            const Index last = triangle == lower ? (std::min)(count, i + rows_together) : count;
-            Block total = Block::Zero();
-            for (Index j = first; j < last;) {
-                const Index end = (std::min)(last, (j / panel + 1) * panel);
-                Block sum = Block::Zero();
-                for (; j < end; ++j) sum += Eigen::Map<const Block>(&A(i, j)) * x[j];
-                total += sum;
-            }
-            Eigen::Map<Block> rows(&y[i]);
-            rows = total;
-        }
-        for (; i < count; ++i) y[i] = row_times<triangle>(A, i, count, x);
-    }
-    // Row i of A x.
-    template <Triangle triangle>
-    static double row_times(const Matrix& A, Index i, Index count, const VectorX<double>& x) {
-        const Index last = triangle == lower ? i + 1 : count;
-        double total = 0;
-        for (Index j = triangle == lower ? 0 : i; j < last;) {
-            const Index end = (std::min)(last, (j / panel + 1) * panel);
-            double sum = 0;
-            for (; j < end; ++j) sum += A(i, j) * x[j];
-            total += sum;
-        }
-        return total;
-    }
-    // y = A^T x, by four columns.
-    template <Triangle triangle>
-    static void multiply_transposed(const Matrix& A, Index count, const Vector& x, Vector& y) {
-        for (Index j = 0; j < count; j += 4) {
-            const Index width = (std::min)(Index(4), count - j), row = triangle == lower ? j : 0;
-            const Index height = (triangle == lower ? count : j + width) - row;
-            if (width == 4) {
-                y.template segment<4>(j) = dot_four<double>(&A(row, j), A.outerStride(), &x[row], height);
-            } else {
-                y.segment(j, width) = A.block(row, j, height, width).transpose().lazyProduct(x.segment(row, height));
-            }
-        }
-    }
-
     // Extends the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
     // d = a - z y; the inverse of L gains the row [-z L^-1, 1], the inverse of U the column [-U^-1 y; 1] / d.
     bool extend(const Matrix& A) {
@@ -220,9 +170,9 @@ private:
         for (nested_count_ = k; k < sticking(); ++k) {
             const Index own = listed(k);
             for (Index j = 0; j < k; ++j) right_[j] = A(nested_[at(j)], own);
-            multiply<lower>(lower_, k, right_, solution_);  // y
+            multiply_triangle<Triangle::lower>(lower_, k, right_, solution_);  // y
             for (Index j = 0; j < k; ++j) right_[j] = A(own, nested_[at(j)]);
-            multiply_transposed<upper>(upper_, k, right_, row_);  // z
+            multiply_transposed<Triangle::upper>(upper_, k, right_, row_);  // z
             double pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
@@ -231,8 +181,8 @@ private:
             }
             const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
             if (!sound || !is_finite(pivot)) return false;
-            multiply_transposed<lower>(lower_, k, row_, right_);
-            multiply<upper>(upper_, k, solution_, row_);
+            multiply_transposed<Triangle::lower>(lower_, k, row_, right_);
+            multiply_triangle<Triangle::upper>(upper_, k, solution_, row_);
             for (Index j = 0; j < k; ++j) {
                 lower_(k, j) = -right_[j];
                 upper_(j, k) = row_[j] / -pivot;
@@ -261,7 +211,7 @@ private:
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, solution_, row_;
-    Vector stuck_;                 // tractions of S; 0 for all others
+    Vector stuck_, column_;        // tractions of S, 0 for all others; slip by a traction of 1
     Vectors<1> placed_, product_;  // the last tractions, with 0 for S, and M times them
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors

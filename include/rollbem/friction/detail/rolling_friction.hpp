@@ -17,7 +17,6 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../normal/load.hpp"
-#include "../../rolling/detail/rigid_slip.hpp"
 #include "../../rolling/detail/stage_equations.hpp"
 #include "../../rolling/detail/time_step.hpp"
 #include "../../scene/creepage.hpp"
@@ -29,7 +28,7 @@
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
-#include "friction_evolution.hpp"
+#include "slip_dependent_friction.hpp"
 #include "slip_work.hpp"
 #include "stick_slip.hpp"
 
@@ -41,7 +40,40 @@ struct ContactData {
     /// `along` is the direction of a system of one, 0 longitudinal or 1 lateral; else 0. Throws std::invalid_argument,
     /// in the name of `who`, if the law is invalid for the system.
     ContactData(const char* who, const ContactUnits& contact_units, ElementSystem<double, directions> of,
-                const Friction& friction, Index along = 0);
+                const Friction& friction, Index along = 0)
+        : system(std::move(of)),
+          units(contact_units),
+          rigid(units, inputs(system), 1.0),
+          forces(units, outputs(system), 1.0),
+          direction(along),
+          rotates(directions == 2 && system.elements().half_element_ahead),
+          work(system.elements(), rotates),
+          law(friction.law),
+          memory(friction.memory),
+          with_tangents(friction.with_tangents) {
+        require(size() >= 1, who, "number of unknown elements", size(), "be at least 1");
+        require(is_finite(law.at_rest()) && law.at_rest() >= 0, who,
+                law.is_constant() ? "friction_coefficient" : "friction coefficient at rest", law.at_rest(),
+                "be finite and not negative");
+        require_not_negative(who, "distance of the memory", memory.distance);
+        require_not_negative(who, "least_velocity of the memory", memory.least_velocity);
+        const ArrayX<double>& pressure = friction.normal_pressure;
+        require(pressure.size() == system.element_count(), who, "length of normal_pressure", pressure.size(),
+                "equal the number of elements");
+        for (const double each : pressure) require_not_negative(who, "normal_pressure", each);
+        require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
+        require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory",
+                memory.distance, "be 0 for elements in several strips");
+        normal_pressure = pressure.head(size());
+        Fingerprint own, pressures;
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (std::size_t e = 0; e < directions; ++e) own.add(slope(system, d, e));
+        }
+        own.add(system.elements().areas);
+        pressures.add(normal_pressure);  // otherwise a state would continue under another model's pressures
+        matrices = system.has_G() ? system.fingerprint() : own.value();
+        fingerprint = units.fingerprint ^ own.value() ^ pressures.value();
+    }
 
     ElementSystem<double, directions> system;
     ContactUnits units;
@@ -73,33 +105,6 @@ struct ContactData {
     }
 };
 
-template <int directions>
-ContactData<directions>::ContactData(const char* who, const ContactUnits& contact_units,
-                                     ElementSystem<double, directions> of, const Friction& friction, Index along)
-    : system(std::move(of)),
-      units(contact_units),
-      rigid(units, inputs(system), 1.0),
-      forces(units, outputs(system), 1.0),
-      direction(along),
-      rotates(directions == 2 && system.elements().half_element_ahead),
-      work(system.elements(), rotates),
-      law(friction.law),
-      memory(friction.memory),
-      with_tangents(friction.with_tangents) {
-    require_valid(who, friction, system.element_count(), size());
-    require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory", memory.distance,
-            "be 0 for elements in several strips");
-    normal_pressure = friction.normal_pressure.head(size());
-    Fingerprint own, pressures;
-    for (std::size_t d = 0; d < directions; ++d) {
-        for (std::size_t e = 0; e < directions; ++e) own.add(slope(system, d, e));
-    }
-    own.add(system.elements().areas);
-    pressures.add(normal_pressure);  // otherwise a state would continue under another model's pressures
-    matrices = system.has_G() ? system.fingerprint() : own.value();
-    fingerprint = units.fingerprint ^ own.value() ^ pressures.value();
-}
-
 /// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m];
 /// pressure_rate, d pressure / d load, is null without a load of its own.
 struct LoadAtEnd {
@@ -112,8 +117,6 @@ struct LoadAtEnd {
 template <int directions>
 struct TangentScratch {
     using By = Parameters<directions>;
-    /// One for each StageProblem::constant.
-    using OfHistories = PerPass<directions>;
 
     explicit TangentScratch(Index n)
         : rate(Vectors<directions>::Zero(n, directions)),
@@ -121,14 +124,14 @@ struct TangentScratch {
           stage_bound_rate(bound_rate) {
         right.fill(rate);
         response.fill(rate);
-        for (OfHistories& each : carried) each.fill(rate);
+        for (PerPass<directions>& each : carried) each.fill(rate);
     }
 
     std::array<bool, By::count> asked{};  ///< parameters of the wanted tangents
     Vectors<directions> rate;
-    OfHistories right, response;                   ///< dc and dp of a tangent
-    std::array<OfHistories, By::count> carried;    ///< dc of the second stage caused by the first
-    VectorX<double> bound_rate, stage_bound_rate;  ///< d bound / d load at the end of the step; in the stage
+    PerPass<directions> right, response;                 ///< dc and dp of a tangent
+    std::array<PerPass<directions>, By::count> carried;  ///< dc of the second stage caused by the first
+    VectorX<double> bound_rate, stage_bound_rate;        ///< d bound / d load at the end of the step; in the stage
     /// The last response to the creepage with one direction. In rolling the next is often the same; its tangent or its
     /// contribution to the second stage is then known.
     struct Memo {
@@ -143,8 +146,6 @@ struct TangentScratch {
 /// All memory of a step, allocated by the constructor. Keeps no reference.
 template <int directions>
 struct StepScratch {
-    using OfHistories = typename TangentScratch<directions>::OfHistories;
-
     StepScratch(Index n, bool coupled, bool slip_dependent)
         : solver(n, coupled),
           problem(n),
@@ -168,19 +169,16 @@ struct StepScratch {
     StageSolution<directions> solution;
     CoefficientScratch<directions> mu;
     TangentScratch<directions> tangents;
-    OfHistories start, displacement;  ///< tractions and displacements from which a stage starts
-    Vectors<directions> first;        ///< tractions after the first of two stages
-    Vectors<directions> change;       ///< slip of the stage, weighted
-    Vectors<directions> slip;         ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
+    PerPass<directions> start, displacement;  ///< tractions and displacements from which a stage starts
+    Vectors<directions> first;                ///< tractions after the first of two stages
+    Vectors<directions> change;               ///< slip of the stage, weighted
+    Vectors<directions> slip;                 ///< summed over the stages, in slip_unit, [m] or 1 in steady rolling
     double slip_unit = 1;
     VectorX<double> work;  ///< summed over the stages
     /// Pressures of the present bounds, which are valid [Pa], and bound per pressure; 0 if bounds are of no load.
     ArrayX<double> pressure;
     double bound_per_pressure = 0;
 
-    bool is_of(const ArrayX<double>& normal_pressure, double per_pressure) const {
-        return bound_per_pressure == per_pressure && has(normal_pressure);
-    }
     /// Whether these pressures are known to be valid.
     bool has(const ArrayX<double>& normal_pressure) const {
         return normal_pressure.size() >= pressure.size() &&
@@ -202,15 +200,14 @@ struct StepView {
         return {scratch.problem, contact.centres(), scratch.solver, scratch.solution};
     }
     Coefficients<directions> coefficients() const {
-        return {contact.law,
-                contact.memory,
-                contact.system.elements(),
-                step,
-                from.friction_coefficient,
-                from.solver.stage_coefficient,
-                scratch.mu};
+        return {contact.law, contact.memory, contact.system.elements(), step, from, scratch.mu};
     }
     std::size_t histories() const { return scratch.problem.two_histories ? 2 : 1; }
+    /// Tractions of the solved pass to which StageProblem::constant[history] belongs.
+    const Vectors<directions>& traction(std::size_t history) const {
+        const StageSolution<directions>& solution = scratch.solution;
+        return solution.pass[histories() == 1 ? solution.last : solution.last == 0 ? 0 : history].traction;
+    }
 };
 
 /// Says which tangents are wanted, sets the sums over the stages to 0, and the tractions and displacements from which
@@ -257,7 +254,7 @@ void set_matrix(const ContactData<directions>& contact, const Stage<directions>&
     if (scratch.matrices == contact.matrices && scratch.geometry == geometry) return;
     scratch.matrices = contact.matrices;
     scratch.geometry = geometry;
-    A.serve_once(geometry.growth != 0 || geometry.widening != 0);
+    A.serves_once = geometry.growth != 0 || geometry.widening != 0;
     with_equations(contact.system, geometry, [&](const auto& equations) {
         for (std::size_t d = 0; d < directions; ++d) {
             for (std::size_t e = 0; e < directions; ++e) {
@@ -274,7 +271,7 @@ void set_bounds(const StepView<directions>& view, const Stage<directions>& now) 
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
     const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
-    if (is_whole && scratch.is_of(load.pressure, contact.bound_per_pressure())) return;
+    if (is_whole && scratch.bound_per_pressure == contact.bound_per_pressure() && scratch.has(load.pressure)) return;
     scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
     if (is_whole) scratch.pressure = load.pressure.head(contact.size());
     VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
@@ -349,10 +346,9 @@ void solve_stage(const StepView<directions>& view, const Stage<directions>& now,
 template <int directions>
 void start_second(const StepView<directions>& view, const Stage<directions>& now) {
     StepScratch<directions>& scratch = view.scratch;
-    const StageSolution<directions>& solution = scratch.solution;
-    if (view.contact.varies()) scratch.first = solution.traction();
+    if (view.contact.varies()) scratch.first = scratch.solution.traction();
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
+        scratch.start[k] = view.traction(k);
         Vectors<directions>& U = scratch.displacement[k];
         find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
         U += now.place.ratio() * (scratch.change - U);
@@ -380,14 +376,9 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
     ProblemChange<directions> change;
     for (std::size_t k = 0; k < view.histories(); ++k) {
         Vectors<directions>& dc = own.right[k];
-        if (now.place.is_second) {
-            dc = own.carried[parameter][k];
-        } else {
-            dc.setZero();
-        }
-        const auto& p = view.histories() == 2 ? solution.traction(k) : solution.traction();
+        now.place.is_second ? void(dc = own.carried[parameter][k]) : void(dc.setZero());
         with_equations(contact.system, now.geometry, [&](const auto& equations) {
-            now.add_rate(parameter, view.contact.rigid, equations, p, own.rate, dc);
+            now.add_rate(parameter, view.contact.rigid, equations, view.traction(k), own.rate, dc);
         });
         change.constant[k] = &dc;
     }
@@ -407,13 +398,11 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
 template <int directions>
 void carry_response(const StepView<directions>& view, const Stage<directions>& now, std::size_t parameter) {
     TangentScratch<directions>& own = view.scratch.tangents;
-    const StageSolution<directions>& solution = view.scratch.solution;
-    const bool two = view.histories() == 2;
+    const bool both = view.histories() == 2 && view.scratch.solution.last == 1;
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        const auto& p = two ? solution.traction(k) : solution.traction();
-        const auto& dp = two && solution.last == 1 ? own.response[k] : own.response.back();
+        const auto& dp = both ? own.response[k] : own.response.back();
         with_equations(view.contact.system, now.geometry, [&](const auto& equations) {
-            now.find_carried(parameter, equations, p, dp, own.rate, own.carried[parameter][k]);
+            now.find_carried(parameter, equations, view.traction(k), dp, own.rate, own.carried[parameter][k]);
         });
     }
     if (view.contact.varies()) view.coefficients().carry(parameter);
@@ -447,21 +436,15 @@ template <int directions>
 void set_tangent(const ContactData<directions>& contact, std::size_t parameter, const InputVector<directions>& forces,
                  FrictionStep& result) {
     using By = Parameters<directions>;
-    const TangentialForce tangent = raised<directions>(forces, contact.direction);
-    if (parameter == By::load) {
-        result.tangent_by_load = tangent;
-    } else if (parameter == By::half_length) {
-        result.tangent_by_half_length = tangent;
-        if (directions == 2 && keeps_shape(contact.system)) result.tangent_by_half_width = {0, 0, 0};  // it follows
-    } else if (parameter == By::half_width) {
-        result.tangent_by_half_width = tangent;
-    } else if (directions == 2) {
-        by_creepage(result.tangent, parameter) = tangent;
-    } else {
-        const auto along = static_cast<std::size_t>(contact.direction);
-        by_creepage(result.tangent, along) = tangent;
-        if (is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
-    }
+    const auto along = static_cast<std::size_t>(contact.direction);
+    TangentialForce& tangent = parameter == By::load          ? result.tangent_by_load
+                               : parameter == By::half_length ? result.tangent_by_half_length
+                               : parameter == By::half_width  ? result.tangent_by_half_width
+                                                              : by_creepage(result.tangent, along + parameter);
+    tangent = raised<directions>(forces, contact.direction);
+    if (directions == 1 && parameter == 0 && is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
+    const bool follows = directions == 2 && parameter == By::half_length && keeps_shape(contact.system);
+    if (follows) result.tangent_by_half_width = {0, 0, 0};
 }
 
 /// Adds the tangents at the end of the last or only stage to the result; keeps the responses of the first of two stages
@@ -484,22 +467,16 @@ void add_tangents(const StepView<directions>& view, const Stage<directions>& now
     }
 }
 
-/// The energy released by jumps. Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of x
-/// times the displacement caused by y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a step
-/// and after its stages. The equations of the stages, s = rigid - u' + (change of u), times their tractions give
+/// The energy released by jumps, which slip work misses as it takes the tractions at the end of a stage (theory.md,
+/// section 11). Let (x, y) be the integral of x times the displacement caused by y, and p_0, p_1, p_2 the tractions at
+/// the start of a step and after its stages:
 ///
-///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
 ///     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
 ///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StagePlace::ratio(), for two stages (sdirk2)
 ///
-/// because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order in
-/// dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short the
-/// step is, and J is the energy (b, b)/2 that the jump releases in addition, for either scheme, whichever stage the
-/// jump is in. A half-length that varies within the step changes J by as much as it changes (b, b). With constant
-/// friction rolling has no jumps.
-///
-/// A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that J is the
-/// integral of b s/2.
+/// A half-length that varies within the step changes J by as much as it changes (b, b). With constant friction rolling
+/// has no jumps. A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that
+/// J is the integral of b s/2.
 template <int directions>
 double jump_work(const StepView<directions>& view) {
     const auto& [contact, step, from, load, scratch] = view;

@@ -1,12 +1,12 @@
-// Stick and slip if the bound of each element depends on its slip velocity: iterations around a solver for given
-// bounds. Independent of rolling and of the origin of the equations.
+// Friction that depends on slip: iterations for the coefficients around a solver of stick and slip, which do not know
+// rolling, and the evolution of the coefficients through the stages of a step.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -15,7 +15,10 @@
 #include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
+#include "../../rolling/detail/time_step.hpp"
 #include "../../status.hpp"
+#include "../../system/detail/along_contact.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
@@ -26,9 +29,8 @@ namespace rollbem::detail {
 /// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
 /// period. References to values of the caller, made on the stack for one call.
 struct FrictionEvolution {
-    const std::function<double(double)>& law;
+    const FrictionLaw& law;
     const FrictionMemory& memory;
-    double at_rest;                   ///< mu_s(0)
     const VectorX<double>& duration;  ///< of the period [s]
     const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
     const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
@@ -40,7 +42,7 @@ struct FrictionEvolution {
     /// mu after the period at a slip velocity v.
     double after(Index i, double mu_before, double v) const {
         const double share = kept(i, v);
-        return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
+        return share * mu_before + (1 - share) * (v == 0 ? law.at_rest() : law.of_slip()(v));
     }
 };
 
@@ -57,11 +59,6 @@ public:
     using Solution = StageSolution<directions>;
     using Matrix = MatrixX<double>;
 
-    struct Outcome {
-        int solutions = 0;  ///< number of solutions for stick and slip
-        double change = 0;  ///< largest residual of the equation above
-    };
-
     explicit SlipDependentFriction(Index n)
         : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
         for (VectorX<double>* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_,
@@ -73,28 +70,27 @@ public:
     Index size() const { return start_.size(); }
 
     /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the
-    /// problem. StickSlipSolver::start() comes first.
-    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
-        Search search{evolution, stage, friction, (std::max)(evolution.at_rest, friction.maxCoeff())};
-        Outcome& outcome = search.outcome;
+    /// problem. StickSlipSolver::start() comes first. Returns the number of solutions for stick and slip.
+    int solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
+        Search search{evolution, stage, friction, (std::max)(evolution.law.at_rest(), friction.maxCoeff())};
         Solution& solution = stage.solution;
         start_ = friction;
         find(search);
         double scale = residual_.norm();
-        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
+        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(search.change); ++restart) {
             if (restart == 0) friction = start_;
             find(search);
             scale = iterate_fixed_point(search, scale, restart);
         }
         if (!search.has_converged()) {
-            solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
+            solution.status = is_finite(search.change) ? Status::no_solution : Status::not_finite;
             solution.has_tangent = false;
         }
         solution.at_once = false;  // bounds have changed since start()
         solution.rounds = search.rounds;
         solution.path_points = search.path_points;
-        solution.residual = is_finite(outcome.change) ? (std::max)(solution.residual, outcome.change) : outcome.change;
-        return outcome;
+        solution.residual = is_finite(search.change) ? (std::max)(solution.residual, search.change) : search.change;
+        return search.solutions;
     }
 
     /// To be called before respond(). Returns a number that changes whenever the response to the same change may
@@ -133,25 +129,24 @@ private:
         VectorX<double>& friction;
         double largest;        // mu at rest or at the start; a rising law may lead far above it
         double tolerance = 0;  // residual that rounding explains
-        int rounds = 0, path_points = 0;
-        Outcome outcome{};
+        double change = 0;     // largest residual of the equation above
+        int solutions = 0, rounds = 0, path_points = 0;
 
-        bool has_converged() const { return outcome.change <= tolerance; }
+        bool has_converged() const { return change <= tolerance; }
     };
 
     // Solves for the bounds of the present mu.
     void find(Search& search) {
         const auto& [problem, centres, solver, solution] = search.stage;
-        Outcome& outcome = search.outcome;
         problem.bound = search.friction.cwiseProduct(search.evolution.pressure);
         solver.solve(problem, centres, true, solution);
         search.rounds += solution.rounds;
         search.path_points += solution.path_points;
         is_regular_ = solution.has_tangent;
-        ++outcome.solutions;
+        ++search.solutions;
         evaluate(search);
         // Eigen's maximum may pass over NaN
-        outcome.change =
+        search.change =
             all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<double>::quiet_NaN();
         search.tolerance = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
                            (std::max)(search.largest, search.friction.maxCoeff());
@@ -160,11 +155,12 @@ private:
     // Finds slip velocities, right-hand side and residual.
     void evaluate(const Search& search) {
         const FrictionEvolution& evolution = search.evolution;
-        double ahead = evolution.at_rest;
+        double ahead = evolution.law.at_rest();
         for (Index i = size() - 1; i >= 0; --i) {
             velocity_[i] = evolution.velocity_per_slip * search.stage.solution.slip_size(i);
             const double before = evolution.before == nullptr ? ahead : (*evolution.before)[i];
-            mu_[i] = ahead = evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.at_rest;
+            mu_[i] = ahead =
+                evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.law.at_rest();
             residual_[i] = ahead - search.friction[i];
         }
     }
@@ -174,7 +170,7 @@ private:
     bool newton(Search& search) {
         for (int step = 0; step < most_steps; ++step) {
             if (search.has_converged()) return true;
-            if (!is_finite(search.outcome.change)) return false;
+            if (!is_finite(search.change)) return false;
             factorise(search.evolution, search.stage, false);
             step_ = residual_;
             find_total_change(search.stage.solver, step_);
@@ -239,7 +235,7 @@ private:
             const double v = rounded(velocity_[i]);
             if (steady) kept_[i] = evolution.kept(i, v);
             if (solution.slides[i] == 0) continue;
-            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.at_rest;
+            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.law.at_rest();
             const double before = rounded(steady ? ahead : (*evolution.before)[i]);
             const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
             const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
@@ -309,6 +305,167 @@ private:
     Index count_ = 0;  // number of elements that slide
     bool is_regular_ = false;
     std::vector<Index> swaps_;
+};
+
+/// Memory for a coefficient that depends on slip, allocated by the constructor; of size 0 if mu is constant.
+template <int directions>
+struct CoefficientScratch {
+    explicit CoefficientScratch(Index n) : iteration(n) {
+        for (VectorX<double>* vector : {&friction, &pressure, &duration, &before, &increment, &first, &change, &bound,
+                                        &path_change, &before_change}) {
+            vector->setZero(n);
+        }
+        carried.fill(change);
+    }
+
+    SlipDependentFriction<directions> iteration;
+    VectorX<double> friction, pressure;  ///< mu and p_n/G of the stage
+    VectorX<double> duration, before;    ///< of the stage; mu of each particle before it
+    VectorX<double> increment;           ///< change of mu along the paths of particles in the first of two stages
+    VectorX<double> first;               ///< mu after the first of two stages
+    VectorX<double> change;              ///< d mu of the last tangent
+    VectorX<double> bound;               ///< d bound of the last tangent at constant mu
+    VectorX<double> path_change;         ///< d before by the half-length, on which the paths of the particles depend
+    VectorX<double> before_change;       ///< d before of the last tangent
+    std::array<VectorX<double>, Parameters<directions>::count> carried;  ///< d increment of each tangent
+    /// Whether Newton's method has converged after few solutions. A second stage then starts from mu at the start of
+    /// the step, which is nearer to the solution than mu of the first stage if little changes; after a jump mu of the
+    /// first stage is nearer.
+    bool converged_quickly = false;
+    bool moves_paths = false;  ///< the last tangent was by the half-length
+};
+
+/// mu of particles that roll through the contact, integrated along the path of each by the same stages as the
+/// tractions. References to values of the caller, made on the stack for one step; bounds are p_n/G.
+template <int directions>
+struct Coefficients {
+    using Step = TimeStep<directions>;
+    using Stage = detail::Stage<directions>;
+
+    const FrictionLaw& law;
+    const FrictionMemory& memory;
+    const Elements<double>& elements;
+    const Step& step;
+    const FrictionState& from;
+    CoefficientScratch<directions>& own;
+
+    /// To be called before a stage is solved. In steady rolling particles arrive from the collocation point ahead.
+    void enter(const Stage& now) {
+        if (!now.place.is_second) {
+            own.friction = from.friction_coefficient.matrix();
+            own.converged_quickly = own.moves_paths = false;
+        }
+        if (step.steady) {
+            const ArrayX<double>& ways = elements.intervals.size() > 0 ? elements.intervals : elements.areas;
+            own.duration = now.geometry.half_length * step.unit / step.speed * ways.matrix();
+            return;
+        }
+        own.duration.setConstant(now.place.part * step.duration);
+        const ArrayX<double>& first_guess = from.solver.stage_coefficient;
+        if (!now.place.is_last() && first_guess.size() == size()) own.friction = first_guess.matrix();
+        if (!remembers()) return own.before.setZero(), void();
+        AlongContact<double> at_start = along_start();
+        if (!now.place.is_second) {
+            for (Index i = 0; i < size(); ++i) own.before[i] = at_start(origin(now, i)).value;
+            return;
+        }
+        own.increment = own.friction - own.before;
+        if (own.converged_quickly) own.friction = from.friction_coefficient.matrix();
+        AlongContact<double> increment = along_first(own.increment);
+        for (Index i = 0; i < size(); ++i) {
+            // extrapolation may overshoot if much is forgotten in a step
+            const double before = at_start(origin(now, i)).value + now.place.ratio() * increment(between(now, i)).value;
+            own.before[i] = (std::max)(before, 0.0);
+        }
+    }
+
+    void solve(const Stage& now, const StageView<directions>& stage) {
+        const int solutions = own.iteration.solve(evolution(now), stage, own.friction);
+        own.converged_quickly = solutions <= 4 && (own.converged_quickly || !now.place.is_second);
+        if (!now.place.is_second) own.first = own.friction;
+    }
+
+    /// To be called before respond(). Returns a number that changes whenever the response to a change of c may change;
+    /// 0 if there is no such number.
+    std::uint64_t linearise(const Stage& now, const StageView<directions>& stage) {
+        const std::uint64_t revision = own.iteration.linearise(evolution(now), stage);
+        return remembers() && now.place.is_second ? 0 : revision;
+    }
+    /// Finds dp of the last solved stage by a parameter. Its causes are
+    /// - a change of the problem, with the change of p_n/G in place of the bounds,
+    /// - the change of the particles' paths, if the parameter is the half-length,
+    /// - in the second stage the response of the first, kept by carry().
+    void respond(const Stage& now, std::size_t parameter, const ProblemChange<directions>& change,
+                 const StageView<directions>& stage, PerPass<directions>& dp) {
+        ProblemChange<directions> direct = change;
+        const VectorX<double>* before = nullptr;
+        own.moves_paths = remembers() && parameter == Parameters<directions>::half_length;
+        if (own.moves_paths || (remembers() && now.place.is_second)) {
+            own.moves_paths ? find_path_change(now) : void(own.path_change.setZero());
+            own.before_change = own.path_change;
+            if (now.place.is_second) add_carried(now, parameter);
+            before = &own.before_change;
+        }
+        if (change.bound != nullptr) {
+            own.bound = own.friction.cwiseProduct(*change.bound);
+            direct.bound = &own.bound;
+        }
+        own.iteration.respond(evolution(now), stage, direct, before, own.change, dp);
+    }
+    /// Keeps the response of the first of two stages, on which the response of the second depends.
+    void carry(std::size_t parameter) {
+        own.carried[parameter] = own.change;
+        if (own.moves_paths) own.carried[parameter] -= own.path_change;
+    }
+
+private:
+    Index size() const { return own.friction.size(); }
+    bool remembers() const { return memory.distance > 0 && !step.steady; }
+
+    FrictionEvolution evolution(const Stage& now) const {
+        const double per_slip = step.steady ? step.speed : step.unit / (now.place.part * step.duration);
+        return {law, memory, own.duration, step.steady ? nullptr : &own.before, own.pressure, per_slip};
+    }
+
+    AlongContact<double> along_start() const { return {elements.x, from.friction_coefficient.data(), law.at_rest()}; }
+    AlongContact<double> along_first(const VectorX<double>& change) const { return {elements.x, change.data(), 0.0}; }
+    // Position x/a of the particle that arrives at point i, at the start of the step.
+    double origin(const Stage& now, Index i) const {
+        return (now.geometry.half_length * elements.x[i] + now.place.progress * step.dq) * per_half_length();
+    }
+    // Position x/a of the same particle at the end of the first stage.
+    double between(const Stage& now, Index i) const {
+        return (now.geometry.half_length * elements.x[i] + (1 - now.place.part) * step.dq) * per_first(now);
+    }
+    // 1/half-length at the start of the step; after the first stage.
+    double per_half_length() const { return 1 / step.start.half_length; }
+    double per_first(const Stage& now) const {
+        return 1 / detail::between(step.start.half_length, step.end.half_length, now.place.part);
+    }
+
+    // Adds the response of the first stage to the change of the initial coefficients of the second.
+    void add_carried(const Stage& now, std::size_t parameter) {
+        AlongContact<double> change = along_first(own.carried[parameter]);
+        for (Index i = 0; i < size(); ++i) {
+            const double added = now.place.ratio() * change(between(now, i)).value;
+            if (own.before[i] > 0) own.before_change[i] += added;
+        }
+    }
+    // Finds d before / d half-length at the end of the step; the half-length of a stage changes by `progress` times as
+    // much.
+    void find_path_change(const Stage& now) {
+        AlongContact<double> at_start = along_start(), increment = along_first(own.increment);
+        for (Index i = 0; i < size(); ++i) {
+            const double point = elements.x[i];
+            double& change = own.path_change[i];
+            change = at_start(origin(now, i)).slope * now.place.progress * point * per_half_length();
+            if (!now.place.is_second) continue;
+            const double x = between(now, i),
+                         moved = (now.place.progress * point - now.place.part * x) * per_first(now);
+            change += now.place.ratio() * increment(x).slope * moved;
+            if (!(own.before[i] > 0)) change = 0;
+        }
+    }
 };
 
 }  // namespace rollbem::detail

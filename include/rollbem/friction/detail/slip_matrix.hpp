@@ -67,9 +67,7 @@ public:
     std::uint64_t revision() const { return revision_; }
     /// A new unique number for a result computed from this matrix.
     std::uint64_t next_serial() { return ++serial_; }
-    /// Says whether M serves one problem only, so that its inverse is not worth its cost.
-    void serve_once(bool once) { serves_once_ = once; }
-    bool serves_once() const { return serves_once_; }
+    bool serves_once = false;  ///< M serves one problem only, so that its inverse is not worth its cost
 
     /// Finds s = M p.
     void multiply(const Vectors<directions>& p, Vectors<directions>& s) const {
@@ -154,7 +152,6 @@ private:
     std::array<Vectors<directions>, 2> sign_, sums_;  // u and M^T u
     Vector projection_step_;
     std::uint64_t revision_ = 1, serial_ = 0;
-    bool serves_once_ = false;
     bool projection_step_is_known_ = false, inverse_is_known_ = false, inverse_exists_ = false, sums_are_known_ = false;
 };
 

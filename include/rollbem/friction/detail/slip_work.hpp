@@ -1,8 +1,6 @@
 // Frictional heat of each element, from slip at the collocation points and tractions on the elements.
 #pragma once
 
-#include <utility>
-
 #include <Eigen/Core>
 
 #include "../../system/detail/centre_values.hpp"
@@ -23,16 +21,13 @@ namespace rollbem::detail {
 /// Lengths in units of a, tractions in G. The works of two directions add up in the same sum.
 class SlipWork {
 public:
-    SlipWork(const ArrayX<double>& widths, CentreValues<double> centres, bool turned = false)
-        : widths_(widths), centres_(std::move(centres)), turned_(turned) {}
-
     /// In strips on a patch the slip of each element's own equation is used unless slip is rotated.
     SlipWork(const Elements<double>& elements, bool turned)
-        : SlipWork(elements.areas,
-                   turned ? CentreValues<double>::in_strips(elements.behind)
-                          : CentreValues<double>::in_one_strip(elements.areas,
-                                                               elements.is_one_strip() ? elements.x : ArrayX<double>()),
-                   turned) {}
+        : widths_(elements.areas),
+          centres_(turned ? CentreValues<double>::in_strips(elements.behind)
+                          : CentreValues<double>::in_one_strip(
+                                widths_, elements.is_one_strip() ? elements.x : ArrayX<double>())),
+          turned_(turned) {}
 
     const CentreValues<double>& centres() const { return centres_; }
 

@@ -24,7 +24,6 @@
 #include "homotopy.hpp"
 #include "nested_stick.hpp"
 #include "roles.hpp"
-#include "slip_direction_system.hpp"
 #include "slip_matrix.hpp"
 #include "slip_rotation.hpp"
 
@@ -73,8 +72,6 @@ struct StageSolution {
           bound(slides) {}
 
     const Vectors<directions>& traction() const { return pass[last].traction; }
-    /// Tractions of the pass to which StageProblem::constant[history] belongs.
-    const Vectors<directions>& traction(std::size_t history) const { return pass[last == 0 ? 0 : history].traction; }
     /// s, exactly zero where elements stick. Where they slide, R s opposes the traction.
     const Vectors<directions>& slip() const { return pass[last].slip; }
     double slip_size(Index i) const { return length(ElementVector<directions>(slip().row(i))); }
@@ -145,18 +142,14 @@ public:
           base_(directions, typename Eliminated::Base(n)),
           sliding_(directions, SlipDirectionSystem(directions == 1 ? 0 : n)),
           response_base_(n),
-          trial_(Vectors<directions>::Zero(n, directions)),
-          trial_slip_(trial_),
-          change_(trial_),
-          slip_change_(trial_),
-          best_(trial_),
-          refined_(trial_),
-          difference_(trial_),
-          slip_response_(trial_),
-          unit_response_(trial_),
-          angle_change_(VectorX<double>::Zero(n)),
-          unit_(angle_change_),
-          homotopy_(n) {}
+          homotopy_(n) {
+        for (Vectors<directions>* vectors : {&trial_, &trial_slip_, &change_, &slip_change_, &best_, &refined_,
+                                             &difference_, &slip_response_, &unit_response_}) {
+            vectors->setZero(n, directions);
+        }
+        angle_change_.setZero(n);
+        unit_.setZero(n);
+    }
 
     SlipMatrix<directions> matrix;  ///< A, to be filled before the first solution and whenever it changes
 
@@ -242,7 +235,25 @@ public:
     /// Entry (k, l) of `result` becomes the slip of the k-th sliding element, against its slip, due to a unit increase
     /// of the bound of the l-th; `across` and `aside` are scratch of n x n. `exact` includes the change of the angles.
     void find_slip_by_bounds(const Solution& solution, const Centres* centres, bool exact, MatrixX<double>& result,
-                             MatrixX<double>& across, MatrixX<double>& aside);
+                             MatrixX<double>& across, MatrixX<double>& aside) {
+        const Index count = sliding_count();
+        Eliminated& at = eliminated_[at_];
+        auto derivatives = result.topLeftCorner(count, count);
+        if constexpr (directions == 1) {
+            for (Index k = 0; k < count; ++k) unit_[k] = solution.pass[0].roles.direction(sliding(k), 0);
+            at.form(matrix, unit_, unit_, derivatives);
+        } else {
+            SlipDirectionSystem& own = sliding_[solution.last];
+            auto by_turn = across.topLeftCorner(count, count), turn = aside.topLeftCorner(count, count);
+            at.form(matrix, own.against(), own.along(), derivatives);
+            at.form(matrix, own.against(), own.across(), by_turn);
+            at.form(matrix, own.aside(), own.along(), turn);
+            if (exact && solution.rotation.follows()) add_angle_changes(solution, *centres, aside);
+            own.solve_columns(turn);
+            for (Index k = 0; k < count; ++k) derivatives.col(k).noalias() -= by_turn * turn.col(k);
+        }
+    }
+
     /// A number that changes whenever A or the roles of the last solution change. With one direction and given bounds,
     /// respond() depends on nothing else.
     std::uint64_t roles_revision() const { return eliminated_[at_].revision(); }
@@ -380,11 +391,136 @@ private:
         if (refinements_ > 0) base_[search.problem.history].forget();
         return found;
     }
-    bool iterate(const Search& search, int steps, double share);
-    bool take_step(const Search& search, Eliminated& at);
-    bool fits_at_once(const Search& search, const Eliminated& at);
-    double natural_residual(const Search& search);
-
+    bool iterate(const Search& search, int steps, double share) {
+        const auto& problem = search.problem;
+        Pass<directions>& pass = search.pass();
+        auto& base = base_[problem.history];
+        double before = huge;
+        is_rough_ = fits_at_once_ = false;
+        for (int step = 0; step < steps; ++step) {
+            Eliminated* at = eliminate(search.number, pass.roles);
+            if (at == nullptr) return false;
+            at->find_base(matrix, refinements_ > 0 ? &refined_ : &problem.constant, base);
+            ++search.solution.rounds;
+            if constexpr (directions == 1) {
+                if (step == 0 && search.repeats && at->keeps()) {
+                    at->complete_again(matrix, base, trial_, trial_slip_);
+                } else {
+                    take_step(search, *at);
+                    at->keep();
+                }
+                if (step == 0 && refinements_ == 0 && fits_at_once(search, *at)) {
+                    pass.traction.swap(trial_);
+                    pass.slip.swap(trial_slip_);
+                    return fits_at_once_ = true;
+                }
+            } else if (!take_step(search, *at)) {
+                return false;
+            }
+            double residual = natural_residual(search);
+            const bool stalls = !(residual < before), done = holds(stalls ? 1000 : 1);
+            if (!done && stalls) residual = shorten(search, before);
+            if (!is_finite(residual)) return false;
+            pass.traction = trial_;
+            pass.slip = trial_slip_;
+            if (residual < least_) {
+                least_ = residual;
+                best_ = pass.traction;
+            }
+            if (done) {
+                if (verify(search)) return true;
+                if (!refine(search)) return false;
+                before = huge;
+                continue;
+            }
+            if (search.roughly && residual < rough * problem.bound.sum()) return is_rough_ = true;
+            update_roles(search, step == 0 && !pass.roles.any_slides() ? share : 1.0);
+            before = residual;
+        }
+        return false;
+    }
+    // Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step
+    // does not exist.
+    bool take_step(const Search& search, Eliminated& at) {
+        const auto& problem = search.problem;
+        const Roles<directions>& roles = search.pass().roles;
+        auto& base = base_[problem.history];
+        for (Index k = 0; k < at.others(); ++k) {
+            const Index i = at.other(k);
+            trial_.row(i) = problem.bound[i] * roles.direction.row(i);
+        }
+        if constexpr (directions == 2) {
+            if (at.sliding() > 0) {
+                SlipDirectionSystem& sliding = sliding_[search.number];
+                at.find_slip(matrix, base, trial_, trial_slip_);
+                sliding.aim(at, roles.direction, trial_slip_, problem.bound, problem.rotation);
+                if (!sliding.factorise(matrix, at)) return false;
+                sliding.turn(at, trial_slip_, trial_);
+                for (Index l = 0; l < at.sliding(); ++l) {
+                    const Index i = at.other(l);
+                    trial_.row(i) *= problem.bound[i] / length(Row(trial_.row(i)));
+                }
+            }
+        }
+        at.complete(matrix, base, trial_, trial_slip_);
+        return true;
+    }
+    // Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so,
+    // clears the slip of sticking elements.
+    bool fits_at_once(const Search& search, const Eliminated& at) {
+        const auto& problem = search.problem;
+        double error = 0, most = 0, creep = 0, sum = 0;
+        if (!at.stick_together()) return false;
+        if (at.sticking() > 0) {
+            // a traction that is NaN makes all slip NaN
+            if (!((at.stuck(problem.bound) - at.stuck(trial_).cwiseAbs()).minCoeff() >= 0)) return false;
+            error = at.stuck(trial_slip_).cwiseAbs().maxCoeff();
+        }
+        for (Index k = 0; k < at.others(); ++k) {
+            const Index i = at.other(k);
+            const double slip = trial_slip_(i, 0);
+            most = (std::max)(most, std::abs(slip - problem.constant(i, 0)));
+            creep = (std::max)(creep, search.pass().roles.direction(i, 0) * slip);  // 0 for free ones
+            sum += slip;
+        }
+        const double scale = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
+        if (!is_finite(sum) || !(creep <= 4 * scale) || !(error <= 4 * scale)) return false;
+        at.stuck(trial_slip_).setZero();
+        error_ = error;
+        creep_ = creep;
+        slip_scale_ = scale;
+        return true;
+    }
+    // The residual of the natural map at the trial, summed over the elements. Clears the slip of sticking elements,
+    // which with one direction is the error.
+    double natural_residual(const Search& search) {
+        const auto& problem = search.problem;
+        double residual = 0, most = 0;  // largest component of A p
+        excess_ = creep_ = error_ = 0;
+        for (Index i = 0; i < size(); ++i) {
+            const Row p = trial_.row(i), slip = trial_slip_.row(i);
+            const double bound = problem.bound[i];
+            const Role role = search.pass().roles[i];
+            if (role == Role::sticks) {
+                const double norm = length(p);
+                if (!(norm <= bound)) {  // also NaN
+                    residual += norm - bound;
+                    excess_ = (std::max)(excess_, norm / bound - 1);
+                }
+                error_ = (std::max)(error_, length(slip));
+                trial_slip_.row(i).setZero();
+                continue;
+            }
+            most = (std::max)(most, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
+            if (role == Role::is_free) continue;
+            // the product of tiny tractions and slips would vanish
+            const Row rotated = problem.rotation.turned(i, slip), along = p / bound;
+            creep_ = (std::max)({creep_, along.dot(rotated), std::abs(cross<directions>(along, rotated))});
+            residual += natural_residual(p, rotated, problem.projection_step[i], bound);
+        }
+        slip_scale_ = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
+        return residual;
+    }
     // |p - P(p - rho R s)| of an element.
     static double natural_residual(const Row& p, const Row& rotated_slip, double projection_step, double bound) {
         const Row x = p - projection_step * rotated_slip;
@@ -415,14 +551,13 @@ private:
         }
         return residual;
     }
-
     void find_error(const Search& search) {
         matrix.multiply(search.pass().traction, change_);
         change_ += search.problem.constant - search.pass().slip;
     }
     // Whether s = A p + c holds to round-off; after the last refinement a larger error is accepted.
     bool verify(const Search& search) {
-        if (directions == 1 ? refinements_ > 0 : matrix.serves_once()) {
+        if (directions == 1 ? refinements_ > 0 : matrix.serves_once) {
             find_error(search);
             error_ = change_.cwiseAbs().maxCoeff();
         } else if (directions == 2) {
@@ -440,7 +575,6 @@ private:
         base_[search.problem.history].forget();
         return true;
     }
-
     // Sets the roles of a pass by the natural map, where an element slides from `share` of its bound on.
     static void update_roles(const Search& search, double share) {
         const auto& problem = search.problem;
@@ -475,15 +609,76 @@ private:
         find_slip(search);
         error_ = 0;
     }
-
-    void check(const Problem& problem, Solution& solution);
-    void check_again(const ProblemView<directions>& problem, Solution& solution);
+    // Sets the zones, clears slip of round-off and finds the largest violation of the conditions.
+    void check(const Problem& problem, Solution& solution) {
+        Pass<directions>& pass = solution.pass[solution.last];
+        const auto& rotation = solution.last == 0 ? unrotated_ : solution.rotation;
+        const VectorX<double>& bound = problem.bound;
+        double slip = error_, excess = 0;
+        const bool finite = is_finite(slip) && all_finite(pass.traction) && all_finite(pass.slip);
+        bool is_same = directions == 1;
+        solution.stick_count = 0;
+        for (Index i = 0; i < size(); ++i) {
+            const Row p = pass.traction.row(i), s = rotation.turned(i, Row(pass.slip.row(i)));
+            const double norm = length(p);
+            const Role role = pass.roles[i];
+            excess = (std::max)(excess, norm - bound[i]);
+            solution.against_slip.row(i).setZero();
+            solution.slides[i] = role == Role::slides ? 1.0 : 0.0;
+            Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
+            if (role == Role::sticks) {
+                ++solution.stick_count;
+                slip = (std::max)(slip, length(s));
+                pass.slip.row(i).setZero();
+            } else if (role == Role::slides) {
+                const Row along = pass.roles.direction.row(i);
+                const double forward = along.dot(s);
+                excess = (std::max)(excess, bound[i] - norm);
+                slip = (std::max)({slip, std::abs(cross<directions>(along, s)), forward});
+                solution.against_slip.row(i) = rotation.turned_back(i, along);
+                pass.slip.row(i) = (std::min)(forward, 0.0) * solution.against_slip.row(i);
+            }
+            if (directions == 1 && zone == Zone::slip && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
+                zone = Zone::slip_negative;
+            }
+            Zone& published = solution.zones[static_cast<std::size_t>(i)];
+            is_same = is_same && published == zone;
+            published = zone;
+        }
+        if (!is_same) ++solution.revision;
+        const double most = bound.maxCoeff();
+        const double imposed = problem.imposed[problem.two_histories ? solution.last : 0];
+        solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
+                                   : std::numeric_limits<double>::quiet_NaN();
+    }
+    // check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
+    // stick can differ.
+    void check_again(const ProblemView<directions>& problem, Solution& solution) {
+        Pass<directions>& pass = solution.pass[0];
+        const Eliminated& at = eliminated_[0];
+        for (Index k = 0; creep_ > 0 && k < at.sliding(); ++k) {
+            double& slip = pass.slip(at.other(k), 0);
+            const double along = pass.roles.direction(at.other(k), 0);
+            slip = (std::min)(along * slip, 0.0) * along;
+        }
+        bool is_same = true;
+        for (Index k = at.sliding(); k < at.others(); ++k) {
+            const Index i = at.other(k);
+            Zone& published = solution.zones[static_cast<std::size_t>(i)];
+            const Zone zone = pass.slip(i, 0) < 0 ? Zone::slip_negative : Zone::slip;
+            is_same = is_same && zone == published;
+            published = zone;
+        }
+        if (!is_same) ++solution.revision;
+        const double slip = (std::max)(error_, creep_);
+        solution.residual = problem.imposed > 0 ? slip / problem.imposed : slip;
+    }
     // Factorises the equations of each pass that tangents need. False if they are singular to working precision.
     bool factorise(const Problem& problem, Solution& solution) {
         bool regular = true;
         for (std::size_t k = 0; k <= solution.last; ++k) {
             const Pass<directions>& pass = solution.pass[k];
-            Eliminated* at = eliminate(k, pass.roles);
+            Eliminated* at = solution.at_once ? &eliminated_[0] : eliminate(k, pass.roles);
             if (at == nullptr || !at->is_regular()) return false;
             at_ = static_cast<std::size_t>(at - eliminated_.data());
             if constexpr (directions == 2) {
@@ -496,8 +691,43 @@ private:
         roles_revision_ = roles_revision();
         return regular;
     }
-    void respond(const Solution& solution, std::size_t number, const Cause& cause, Vectors<directions>& dp);
-    void add_angle_changes(const Solution& solution, const Centres& centres, MatrixX<double>& aside);
+    // Finds dp of a pass, and the response of its slip in slip_response_.
+    void respond(const Solution& solution, std::size_t number, const Cause& cause, Vectors<directions>& dp) {
+        const Pass<directions>& pass = solution.pass[number];
+        Eliminated& at = *eliminate(number, pass.roles);
+        at.find_base(matrix, cause.constant, response_base_);
+        for (Index k = 0; k < at.others(); ++k) {
+            const Index i = at.other(k);
+            dp.row(i) = (cause.bound == nullptr ? 0.0 : (*cause.bound)[i]) * pass.roles.direction.row(i);
+        }
+        if constexpr (directions == 2) {
+            if (at.sliding() > 0) {
+                at.find_slip(matrix, response_base_, dp, slip_response_);
+                for (Index l = 0; cause.angle != nullptr && l < at.sliding(); ++l) {
+                    const Index i = at.other(l);
+                    slip_response_.row(i) += (*cause.angle)[i] * Row(-pass.slip(i, 1), pass.slip(i, 0));
+                }
+                sliding_[number].turn(at, slip_response_, dp);
+            }
+            if (cause.of_slip_alone) return at.find_slip(matrix, response_base_, dp, slip_response_);
+        }
+        at.complete(matrix, response_base_, dp, slip_response_);
+    }
+    // Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
+    void add_angle_changes(const Solution& solution, const Centres& centres, MatrixX<double>& aside) {
+        unit_.setZero();
+        slip_response_.setZero();
+        response_base_.forget();
+        for (Index l = 0; l < sliding_count(); ++l) {
+            unit_[sliding(l)] = 1;
+            respond(solution, 0, {nullptr, &unit_, nullptr, true}, unit_response_);
+            unit_[sliding(l)] = 0;
+            solution.rotation.find_angle_change(centres, slip_response_, angle_change_);
+            for (Index k = 0; k < sliding_count(); ++k) {
+                aside(k, l) -= solution.slip_size(sliding(k)) * angle_change_[sliding(k)];
+            }
+        }
+    }
 
     std::vector<Eliminated> eliminated_;
     std::vector<typename Eliminated::Base> base_;  // contributions of c
@@ -521,276 +751,5 @@ private:
     bool is_rough_ = false;  // the last search ended near a solution
     bool fits_at_once_ = false;
 };
-
-template <int directions>
-bool StickSlipSolver<directions>::iterate(const Search& search, int steps, double share) {
-    const auto& problem = search.problem;
-    Pass<directions>& pass = search.pass();
-    auto& base = base_[problem.history];
-    double before = huge;
-    is_rough_ = fits_at_once_ = false;
-    for (int step = 0; step < steps; ++step) {
-        Eliminated* at = eliminate(search.number, pass.roles);
-        if (at == nullptr) return false;
-        at->find_base(matrix, refinements_ > 0 ? &refined_ : &problem.constant, base);
-        ++search.solution.rounds;
-        if constexpr (directions == 1) {
-            if (step == 0 && search.repeats && at->keeps()) {
-                at->complete_again(matrix, base, trial_, trial_slip_);
-            } else {
-                take_step(search, *at);
-                at->keep();
-            }
-            if (step == 0 && refinements_ == 0 && fits_at_once(search, *at)) {
-                pass.traction.swap(trial_);
-                pass.slip.swap(trial_slip_);
-                return fits_at_once_ = true;
-            }
-        } else if (!take_step(search, *at)) {
-            return false;
-        }
-        double residual = natural_residual(search);
-        const bool stalls = !(residual < before), done = holds(stalls ? 1000 : 1);
-        if (!done && stalls) residual = shorten(search, before);
-        if (!is_finite(residual)) return false;
-        pass.traction = trial_;
-        pass.slip = trial_slip_;
-        if (residual < least_) {
-            least_ = residual;
-            best_ = pass.traction;
-        }
-        if (done) {
-            if (verify(search)) return true;
-            if (!refine(search)) return false;
-            before = huge;
-            continue;
-        }
-        if (search.roughly && residual < rough * problem.bound.sum()) return is_rough_ = true;
-        update_roles(search, step == 0 && !pass.roles.any_slides() ? share : 1.0);
-        before = residual;
-    }
-    return false;
-}
-
-// Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step does
-// not exist.
-template <int directions>
-bool StickSlipSolver<directions>::take_step(const Search& search, Eliminated& at) {
-    const auto& problem = search.problem;
-    const Roles<directions>& roles = search.pass().roles;
-    auto& base = base_[problem.history];
-    for (Index k = 0; k < at.others(); ++k) {
-        const Index i = at.other(k);
-        trial_.row(i) = problem.bound[i] * roles.direction.row(i);
-    }
-    if constexpr (directions == 2) {
-        if (at.sliding() > 0) {
-            SlipDirectionSystem& sliding = sliding_[search.number];
-            at.find_slip(matrix, base, trial_, trial_slip_);
-            sliding.aim(at, roles.direction, trial_slip_, problem.bound, problem.rotation);
-            if (!sliding.factorise(matrix, at)) return false;
-            sliding.turn(at, trial_slip_, trial_);
-            for (Index l = 0; l < at.sliding(); ++l) {
-                const Index i = at.other(l);
-                trial_.row(i) *= problem.bound[i] / length(Row(trial_.row(i)));
-            }
-        }
-    }
-    at.complete(matrix, base, trial_, trial_slip_);
-    return true;
-}
-
-// Whether the trial of a first step, in which all that stick do so together, is a solution to round-off; if so, clears
-// the slip of sticking elements.
-template <int directions>
-bool StickSlipSolver<directions>::fits_at_once(const Search& search, const Eliminated& at) {
-    const auto& problem = search.problem;
-    double error = 0, most = 0, creep = 0, sum = 0;
-    if (!at.stick_together()) return false;
-    if (at.sticking() > 0) {
-        // a traction that is NaN makes all slip NaN
-        if (!((at.stuck(problem.bound) - at.stuck(trial_).cwiseAbs()).minCoeff() >= 0)) return false;
-        error = at.stuck(trial_slip_).cwiseAbs().maxCoeff();
-    }
-    for (Index k = 0; k < at.others(); ++k) {
-        const Index i = at.other(k);
-        const double slip = trial_slip_(i, 0);
-        most = (std::max)(most, std::abs(slip - problem.constant(i, 0)));
-        creep = (std::max)(creep, search.pass().roles.direction(i, 0) * slip);  // 0 for free ones
-        sum += slip;
-    }
-    const double scale = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
-    if (!is_finite(sum) || !(creep <= 4 * scale) || !(error <= 4 * scale)) return false;
-    at.stuck(trial_slip_).setZero();
-    error_ = error;
-    creep_ = creep;
-    slip_scale_ = scale;
-    return true;
-}
-
-// The residual of the natural map at the trial, summed over the elements. Clears the slip of sticking elements, which
-// with one direction is the error.
-template <int directions>
-double StickSlipSolver<directions>::natural_residual(const Search& search) {
-    const auto& problem = search.problem;
-    double residual = 0, most = 0;  // largest component of A p
-    excess_ = creep_ = error_ = 0;
-    for (Index i = 0; i < size(); ++i) {
-        const Row p = trial_.row(i), slip = trial_slip_.row(i);
-        const double bound = problem.bound[i];
-        const Role role = search.pass().roles[i];
-        if (role == Role::sticks) {
-            const double norm = length(p);
-            if (!(norm <= bound)) {  // also NaN
-                residual += norm - bound;
-                excess_ = (std::max)(excess_, norm / bound - 1);
-            }
-            error_ = (std::max)(error_, length(slip));
-            trial_slip_.row(i).setZero();
-            continue;
-        }
-        most = (std::max)(most, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
-        if (role == Role::is_free) continue;
-        // the product of tiny tractions and slips would vanish
-        const Row rotated = problem.rotation.turned(i, slip), along = p / bound;
-        creep_ = (std::max)({creep_, along.dot(rotated), std::abs(cross<directions>(along, rotated))});
-        residual += natural_residual(p, rotated, problem.projection_step[i], bound);
-    }
-    slip_scale_ = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
-    return residual;
-}
-
-// Sets the zones, clears slip of round-off and finds the largest violation of the conditions.
-template <int directions>
-void StickSlipSolver<directions>::check(const Problem& problem, Solution& solution) {
-    Pass<directions>& pass = solution.pass[solution.last];
-    const auto& rotation = solution.last == 0 ? unrotated_ : solution.rotation;
-    const VectorX<double>& bound = problem.bound;
-    double slip = error_, excess = 0;
-    const bool finite = is_finite(slip) && all_finite(pass.traction) && all_finite(pass.slip);
-    bool is_same = directions == 1;
-    solution.stick_count = 0;
-    for (Index i = 0; i < size(); ++i) {
-        const Row p = pass.traction.row(i), s = rotation.turned(i, Row(pass.slip.row(i)));
-        const double norm = length(p);
-        const Role role = pass.roles[i];
-        excess = (std::max)(excess, norm - bound[i]);
-        solution.against_slip.row(i).setZero();
-        solution.slides[i] = role == Role::slides ? 1.0 : 0.0;
-        Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
-        if (role == Role::sticks) {
-            ++solution.stick_count;
-            slip = (std::max)(slip, length(s));
-            pass.slip.row(i).setZero();
-        } else if (role == Role::slides) {
-            const Row along = pass.roles.direction.row(i);
-            const double forward = along.dot(s);
-            excess = (std::max)(excess, bound[i] - norm);
-            slip = (std::max)({slip, std::abs(cross<directions>(along, s)), forward});
-            solution.against_slip.row(i) = rotation.turned_back(i, along);
-            pass.slip.row(i) = (std::min)(forward, 0.0) * solution.against_slip.row(i);
-        }
-        if (directions == 1 && zone == Zone::slip && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
-            zone = Zone::slip_negative;
-        }
-        Zone& published = solution.zones[static_cast<std::size_t>(i)];
-        is_same = is_same && published == zone;
-        published = zone;
-    }
-    if (!is_same) ++solution.revision;
-    const double most = bound.maxCoeff();
-    const double imposed = problem.imposed[problem.two_histories ? solution.last : 0];
-    solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
-                               : std::numeric_limits<double>::quiet_NaN();
-}
-
-// check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
-// stick can differ.
-template <int directions>
-void StickSlipSolver<directions>::check_again(const ProblemView<directions>& problem, Solution& solution) {
-    Pass<directions>& pass = solution.pass[0];
-    const Eliminated& at = eliminated_[0];
-    for (Index k = 0; creep_ > 0 && k < at.sliding(); ++k) {
-        double& slip = pass.slip(at.other(k), 0);
-        const double along = pass.roles.direction(at.other(k), 0);
-        slip = (std::min)(along * slip, 0.0) * along;
-    }
-    bool is_same = true;
-    for (Index k = at.sliding(); k < at.others(); ++k) {
-        const Index i = at.other(k);
-        Zone& published = solution.zones[static_cast<std::size_t>(i)];
-        const Zone zone = pass.slip(i, 0) < 0 ? Zone::slip_negative : Zone::slip;
-        is_same = is_same && zone == published;
-        published = zone;
-    }
-    if (!is_same) ++solution.revision;
-    const double slip = (std::max)(error_, creep_);
-    solution.residual = problem.imposed > 0 ? slip / problem.imposed : slip;
-}
-
-// Finds dp of a pass, and the response of its slip in slip_response_.
-template <int directions>
-void StickSlipSolver<directions>::respond(const Solution& solution, std::size_t number, const Cause& cause,
-                                          Vectors<directions>& dp) {
-    const Pass<directions>& pass = solution.pass[number];
-    Eliminated& at = *eliminate(number, pass.roles);
-    at.find_base(matrix, cause.constant, response_base_);
-    for (Index k = 0; k < at.others(); ++k) {
-        const Index i = at.other(k);
-        dp.row(i) = (cause.bound == nullptr ? 0.0 : (*cause.bound)[i]) * pass.roles.direction.row(i);
-    }
-    if constexpr (directions == 2) {
-        if (at.sliding() > 0) {
-            at.find_slip(matrix, response_base_, dp, slip_response_);
-            for (Index l = 0; cause.angle != nullptr && l < at.sliding(); ++l) {
-                const Index i = at.other(l);
-                slip_response_.row(i) += (*cause.angle)[i] * Row(-pass.slip(i, 1), pass.slip(i, 0));
-            }
-            sliding_[number].turn(at, slip_response_, dp);
-        }
-        if (cause.of_slip_alone) return at.find_slip(matrix, response_base_, dp, slip_response_);
-    }
-    at.complete(matrix, response_base_, dp, slip_response_);
-}
-
-template <int directions>
-void StickSlipSolver<directions>::find_slip_by_bounds(const Solution& solution, const Centres* centres, bool exact,
-                                                      MatrixX<double>& result, MatrixX<double>& across,
-                                                      MatrixX<double>& aside) {
-    const Index count = sliding_count();
-    Eliminated& at = eliminated_[at_];
-    auto derivatives = result.topLeftCorner(count, count);
-    if constexpr (directions == 1) {
-        for (Index k = 0; k < count; ++k) unit_[k] = solution.pass[0].roles.direction(sliding(k), 0);
-        at.form(matrix, unit_, unit_, derivatives);
-    } else {
-        SlipDirectionSystem& own = sliding_[solution.last];
-        auto by_turn = across.topLeftCorner(count, count), turn = aside.topLeftCorner(count, count);
-        at.form(matrix, own.against(), own.along(), derivatives);
-        at.form(matrix, own.against(), own.across(), by_turn);
-        at.form(matrix, own.aside(), own.along(), turn);
-        if (exact && solution.rotation.follows()) add_angle_changes(solution, *centres, aside);
-        own.solve_columns(turn);
-        for (Index k = 0; k < count; ++k) derivatives.col(k).noalias() -= by_turn * turn.col(k);
-    }
-}
-
-// Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
-template <int directions>
-void StickSlipSolver<directions>::add_angle_changes(const Solution& solution, const Centres& centres,
-                                                    MatrixX<double>& aside) {
-    unit_.setZero();
-    slip_response_.setZero();
-    response_base_.forget();
-    for (Index l = 0; l < sliding_count(); ++l) {
-        unit_[sliding(l)] = 1;
-        respond(solution, 0, {nullptr, &unit_, nullptr, true}, unit_response_);
-        unit_[sliding(l)] = 0;
-        solution.rotation.find_angle_change(centres, slip_response_, angle_change_);
-        for (Index k = 0; k < sliding_count(); ++k) {
-            aside(k, l) -= solution.slip_size(sliding(k)) * angle_change_[sliding(k)];
-        }
-    }
-}
 
 }  // namespace rollbem::detail

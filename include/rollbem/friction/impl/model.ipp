@@ -59,57 +59,55 @@ struct FrictionRequest {
     const FrictionModel::RollingStep& step;
     FrictionState& to;
     FrictionScratch* scratch;
+
+    const NormalLoad* load() const { return step.load ? &*step.load : nullptr; }
 };
 
 inline constexpr const char* friction_model = "FrictionModel";
 
 template <class AnyContact, int directions>
-FrictionData friction_data(const AnyContact& contact, ElementSystem<double, directions> system,
-                           const StabilityVerdict& verdict, const Friction& friction, Integrator integrator,
-                           Eigen::Index direction = 0) {
-    constexpr const char* name = friction_model;
-    require(direction == 0 || direction == 1, name, "direction", direction, "be 0 or 1");
-    FrictionData data{ContactData<directions>(name, contact, std::move(system), friction, direction), integrator, true};
-    const auto& own = std::get<ContactData<directions>>(data.contact).system;
+std::shared_ptr<const FrictionData> friction_data(const AnyContact& contact, ElementSystem<double, directions> system,
+                                                  const StabilityVerdict& verdict, const Friction& friction,
+                                                  Integrator integrator, Eigen::Index direction = 0) {
+    require(direction == 0 || direction == 1, friction_model, "direction", direction, "be 0 or 1");
+    auto data = std::make_shared<FrictionData>(FrictionData{
+        ContactData<directions>(friction_model, contact, std::move(system), friction, direction), integrator});
+    const auto& own = std::get_if<ContactData<directions>>(&data->contact)->system;
     if constexpr (std::is_same_v<AnyContact, Contact>) {
-        require_same_aspect(name, contact, own);
+        require_same_aspect(friction_model, contact, own);
     } else {
-        require(!own.aspect() && own.elements().places_are_known(), name, "number of places of a patch's elements",
-                own.elements().x.size(), "be theirs: a patch has the system of a PatchMesh");
-        require_same_shape(name, contact, own);
+        require(!own.aspect() && own.elements().places_are_known(), friction_model,
+                "number of places of a patch's elements", own.elements().x.size(),
+                "be theirs: a patch has the system of a PatchMesh");
+        require_same_shape(friction_model, contact, own);
     }
-    require(stage_table(integrator).has_value(), name, "integrator", rollbem::name(integrator),
+    require(stage_table(integrator).has_value(), friction_model, "integrator", rollbem::name(integrator),
             "solve stages, as implicit_euler and sdirk2 do");
     if (!own.has_G()) {
-        const auto& slope = [&]() -> const auto& {
-            if constexpr (directions == 1) {
-                return own.G_prime();
-            } else {
-                return own.G_prime_blocks();
-            }
+        if constexpr (directions == 1) {
+            data->converges = !verdict.checked || converges(own.G_prime(), own.elements().areas);
+        } else {
+            data->converges = !verdict.checked || converges(own.G_prime_blocks(), own.elements().areas);
         }
-        ();
-        data.converges = !verdict.checked || converges(slope, own.elements().areas);
         return data;
     }
-    require(friction.memory.distance == 0 || own.elements().places_are_known(), name, "distance of the memory",
-            friction.memory.distance, "be 0 for a system that does not know the points of its equations");
-    require_usable_in_time(name, own, verdict);
+    require(friction.memory.distance == 0 || own.elements().places_are_known(), friction_model,
+            "distance of the memory", friction.memory.distance,
+            "be 0 for a system that does not know the points of its equations");
+    require_usable_in_time(friction_model, own, verdict);
     return data;
 }
 
 template <int directions>
 FrictionState at_rest(const ContactData<directions>& contact) {
     const Eigen::Index n = contact.size();
-    FrictionState state{.traction = ElementVectors::Zero(n, 2),
-                        .zones = std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick),
-                        .normal_pressure = contact.normal_pressure,
-                        .half_length = contact.units.length,
-                        .half_width = contact.units.half_width,
-                        .system = contact.fingerprint,
-                        .friction_coefficient = {},
-                        .solver = {},
-                        .unrotated_traction = {}};
+    FrictionState state;
+    state.traction.setZero(n, 2);
+    state.zones.resize(static_cast<std::size_t>(n), Zone::stick);
+    state.normal_pressure = contact.normal_pressure;
+    state.half_length = contact.units.length;
+    state.half_width = contact.units.half_width;
+    state.system = contact.fingerprint;
     if (contact.varies()) {
         state.friction_coefficient.setConstant(n, contact.law.at_rest());
         state.solver.stage_coefficient = state.friction_coefficient;
@@ -121,23 +119,20 @@ FrictionState at_rest(const ContactData<directions>& contact) {
 /// Whether the load of a step can follow a state: ok; invalid_load, also if a patch changes its half-length without a
 /// new half-width; needs_fixed_mesh if a line contact changes its half-width.
 template <int directions>
-Status check_load(const ContactData<directions>& contact, const FrictionState& from, const NormalLoad& load) noexcept {
-    const Status possible = load.check(contact.system.element_count());
-    if (possible != Status::ok) return possible;
+Status check_load(const ContactData<directions>& contact, const FrictionState& from, const NormalLoad* load) noexcept {
+    const Status possible = load == nullptr ? Status::ok : load->check(contact.system.element_count());
+    if (load == nullptr || possible != Status::ok) return possible;
     const bool line = contact.units.line;
-    if (load.half_width == 0) {
-        return line || load.half_length == from.half_length ? Status::ok : Status::invalid_load;
+    if (load->half_width == 0) {
+        return line || load->half_length == from.half_length ? Status::ok : Status::invalid_load;
     }
-    return line && load.half_width != contact.units.half_width ? Status::needs_fixed_mesh : Status::ok;
+    return line && load->half_width != contact.units.half_width ? Status::needs_fixed_mesh : Status::ok;
 }
 /// The load at the end of a step. A half-width of 0 is replaced by the half-width of `from`.
 inline LoadAtEnd load_after(const FrictionState& from, const NormalLoad* load) noexcept {
     if (load == nullptr) return {from.normal_pressure, from.half_length, from.half_width};
     const double b = load->half_width == 0 ? from.half_width : load->half_width;
     return {load->normal_pressure, load->half_length, b, &load->pressure_rate};
-}
-inline LoadAtEnd load_after(const FrictionRequest& asked) noexcept {
-    return load_after(asked.from, asked.step.load ? &*asked.step.load : nullptr);
 }
 
 inline bool are_coefficients(const ArrayX<double>& values) {
@@ -181,17 +176,7 @@ auto motion_along(const ContactData<directions>& contact, const FrictionModel::M
     if constexpr (directions == 2) {
         return motion;
     } else {
-        using Own = RigidMotion<double>;
-        const auto along = [&](const Creepage& value) {
-            return contact.direction == 0 ? value.longitudinal : value.lateral;
-        };
-        const double start = along(motion.start()), end = along(motion.end());
-        const Own own = motion.is_shift() ? Own::shift(end) : motion.is_linear() ? Own::linear(start, end) : Own(end);
-        if (!motion.has_rows()) return own;
-        const auto column = [&](const FrictionModel::Motion::RowsView& rows) {
-            return Own::RowsView(rows.data() + contact.direction * rows.rows(), rows.rows());
-        };
-        return own.with_rows(column(motion.start_rows()), column(motion.end_rows()));
+        return motion.along(contact.direction);
     }
 }
 
@@ -209,9 +194,9 @@ inline FrictionStep without_forces(const FrictionStep& solved) noexcept {
 template <int directions>
 FrictionStep steady(const ContactData<directions>& contact, const FrictionRequest& asked) noexcept {
     const auto& [from, step, to, scratch] = asked;
-    Status possible = step.load ? check_load(contact, from, *step.load) : Status::ok;
+    Status possible = check_load(contact, from, asked.load());
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    const LoadAtEnd load = load_after(asked);
+    const LoadAtEnd load = load_after(from, asked.load());
     const SemiAxes at = contact.units.axes(load);
     const auto motion = motion_along(contact, step.motion);
     possible = check_state(contact, asked);
@@ -231,10 +216,10 @@ template <int directions>
 FrictionStep advance(const ContactData<directions>& contact, Integrator integrator,
                      const FrictionRequest& asked) noexcept {
     const auto& [from, step, to, scratch] = asked;
-    Status possible = step.load ? check_load(contact, from, *step.load) : Status::ok;
+    Status possible = check_load(contact, from, asked.load());
     if (possible == Status::ok && !contact.system.has_G()) possible = Status::invalid_step;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    const LoadAtEnd load = load_after(asked);
+    const LoadAtEnd load = load_after(from, asked.load());
     const double dq = step.travel.dq / contact.units.length, duration = step.travel.duration;
     const SemiAxes start = contact.units.axes(from), end = contact.units.axes(load);
     const auto motion = motion_along(contact, step.motion);
@@ -244,8 +229,7 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
     const bool imposed = can_impose(contact, motion.start()) && can_impose(contact, motion.end());
     if (possible == Status::ok && !imposed) possible = Status::needs_places;
     if (possible != Status::ok) return failed<FrictionStep>(possible);
-    const StageTable stages = *stage_table(integrator);
-    TimeStep<directions> rolled{motion, contact.units.length, start, end, dq, stages};
+    TimeStep<directions> rolled{motion, contact.units.length, start, end, dq, *stage_table(integrator)};
     rolled.duration = duration;
     return solve<directions>({contact, rolled, from, load, *scratch->of(contact)}, to);
 }
@@ -255,45 +239,35 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
 ROLLBEM_DECL FrictionWorkspace::FrictionWorkspace(const detail::FrictionData& data)
     : scratch_(data.with([]<int directions>(const detail::ContactData<directions>& contact) {
           detail::StepScratch<directions> steps(contact.size(), detail::is_coupled(contact.system), contact.varies());
-          return std::make_unique<detail::FrictionScratch>(
-              detail::FrictionScratch{std::move(steps), contact.direction});
+          return detail::Hidden(detail::FrictionScratch{std::move(steps), contact.direction});
       })) {}
-ROLLBEM_DECL FrictionWorkspace::FrictionWorkspace(const FrictionWorkspace& other)
-    : scratch_(other.scratch_ ? std::make_unique<detail::FrictionScratch>(*other.scratch_) : nullptr) {}
-ROLLBEM_DECL FrictionWorkspace::FrictionWorkspace(FrictionWorkspace&& other) noexcept = default;
-ROLLBEM_DECL FrictionWorkspace& FrictionWorkspace::operator=(FrictionWorkspace other) noexcept {
-    std::swap(scratch_, other.scratch_);
-    return *this;
-}
-ROLLBEM_DECL FrictionWorkspace::~FrictionWorkspace() = default;
 
 ROLLBEM_DECL ElementVectors FrictionWorkspace::slip() const {
-    if (const auto* both = std::get_if<1>(&scratch_->steps)) return both->slip_unit * both->slip;
-    const auto* const one = std::get_if<0>(&scratch_->steps);
+    const auto& [steps, direction] = scratch_.get();
+    if (const auto* both = std::get_if<1>(&steps)) return both->slip_unit * both->slip;
+    const auto* const one = std::get_if<0>(&steps);
     ElementVectors slip = ElementVectors::Zero(one->slip.size(), 2);
-    slip.col(scratch_->direction) = one->slip_unit * one->slip;
+    slip.col(direction) = one->slip_unit * one->slip;
     return slip;
 }
 ROLLBEM_DECL const VectorX<double>& FrictionWorkspace::slip_work() const {
-    const auto* const one = std::get_if<0>(&scratch_->steps);
-    return one != nullptr ? one->work : std::get_if<1>(&scratch_->steps)->work;
+    const auto& steps = scratch_.get().steps;
+    const auto* const one = std::get_if<0>(&steps);
+    return one != nullptr ? one->work : std::get_if<1>(&steps)->work;
 }
 
 ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator, Eigen::Index direction)
-    : data_(std::make_shared<detail::FrictionData>(
-          detail::friction_data(contact, std::move(system), verdict, friction, integrator, direction))) {}
+    : data_(detail::friction_data(contact, std::move(system), verdict, friction, integrator, direction)) {}
 ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double, 2> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator)
-    : data_(std::make_shared<detail::FrictionData>(
-          detail::friction_data(contact, std::move(system), verdict, friction, integrator))) {}
+    : data_(detail::friction_data(contact, std::move(system), verdict, friction, integrator)) {}
 ROLLBEM_DECL FrictionModel::FrictionModel(const PatchContact& contact, ElementSystem<double, 2> system,
                                           const StabilityVerdict& verdict, const Friction& friction,
                                           Integrator integrator)
-    : data_(std::make_shared<detail::FrictionData>(
-          detail::friction_data(contact, std::move(system), verdict, friction, integrator))) {}
+    : data_(detail::friction_data(contact, std::move(system), verdict, friction, integrator)) {}
 ROLLBEM_DECL FrictionModel::FrictionModel(const Contact& contact, ElementSystem<double> system,
                                           const Friction& friction, Eigen::Index direction)
     : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction, Integrator::sdirk2, direction) {}
@@ -320,7 +294,7 @@ ROLLBEM_DECL FrictionState FrictionModel::at_rest() const {
 ROLLBEM_DECL FrictionState FrictionModel::at_rest(const NormalLoad& load) const {
     return data_->with([&](const auto& contact) {
         FrictionState state = detail::at_rest(contact);
-        Status possible = detail::check_load(contact, state, load);
+        Status possible = detail::check_load(contact, state, &load);
         const detail::LoadAtEnd given = detail::load_after(state, &load);
         const SemiAxes axes = contact.units.axes(given);
         if (possible == Status::ok) possible = detail::check_growth(contact.system, 0.0, axes, axes);
@@ -359,14 +333,14 @@ ROLLBEM_DECL double FrictionModel::elastic_energy(const State& state) const {
 
 ROLLBEM_DECL FrictionStep FrictionModel::steady(const State& from, const RollingStep& step, State& to,
                                                 Workspace& workspace) const noexcept {
-    const detail::FrictionRequest asked{from, step, to, workspace.scratch_.get()};
+    const detail::FrictionRequest asked{from, step, to, workspace.scratch_.find()};
     const Step solved = data_->with([&](const auto& contact) { return detail::steady(contact, asked); });
     return data_->converges ? solved : detail::without_forces(solved);
 }
 
 ROLLBEM_DECL FrictionStep FrictionModel::advance(const State& from, const RollingStep& step, State& to,
                                                  Workspace& workspace) const noexcept {
-    const detail::FrictionRequest asked{from, step, to, workspace.scratch_.get()};
+    const detail::FrictionRequest asked{from, step, to, workspace.scratch_.find()};
     return data_->with([&](const auto& contact) { return detail::advance(contact, data_->integrator, asked); });
 }
 

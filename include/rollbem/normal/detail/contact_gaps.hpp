@@ -27,8 +27,8 @@ struct Gaps {
 class GapFinder {
 public:
     /// `track_x`: the place along the track of the rail's curve at x = 0; the wheel stands at `height`.
-    void find(const ContactGeometry& geometry, const PlacedWheel& wheel, double height, double track_x,
-              const ContactPlane& plane, const CellGrid& grid, Gaps& gaps) {
+    void find(const WheelOnRail::Geometry& geometry, const WheelSurface::Placed& wheel, double height, double track_x,
+              const ContactPlane& plane, const NormalContact::Cells& grid, Gaps& gaps) {
         geometry_ = &geometry;
         wheel_ = &wheel;
         plane_ = &plane;
@@ -52,10 +52,10 @@ public:
     }
 
     /// s of the wheel's point above the plane's origin.
-    static double wheel_place(const PlacedWheel& wheel, double height, const ContactPlane& plane) {
+    static double wheel_place(const WheelSurface::Placed& wheel, double height, const ContactPlane& plane) {
         double s = plane.wheel_s;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = wheel.section(s, plane.x);
+            const RailSurface::Point p = wheel.section(s, plane.x);
             const double off = plane.s(p.y, p.z + height);
             if (std::abs(off) < tiny || !p.defined) break;
             s = std::clamp(s - step(plane, p, off), 0.0, wheel.surface().length());
@@ -69,24 +69,24 @@ private:
 
     // ds in the plane along the curve. In intermediate steps surfaces may be steeper than 84 degrees in the plane, at
     // the final point they may not.
-    static double rate(const ContactPlane& plane, const CurvePoint& p) {
+    static double rate(const ContactPlane& plane, const RailSurface::Point& p) {
         return (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
     }
-    static double step(const ContactPlane& plane, const CurvePoint& p, double off) {
+    static double step(const ContactPlane& plane, const RailSurface::Point& p, double off) {
         constexpr double largest = 2e-3;
         return std::clamp(off / rate(plane, p), -largest, largest);
     }
 
     // One step to s from the point p of a curve: n at s follows from the curve's tangent, so that its error is of
     // second order in the distance of p from s, which is returned.
-    double approach(const CurvePoint& p, double z, double s, double& place, double& n) const {
+    double approach(const RailSurface::Point& p, double z, double s, double& place, double& n) const {
         const double off = plane_->s(p.y, z) - s, by = step(*plane_, p, off);
         n = plane_->n(p.y, z) - by * (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine);
         place -= by;
         return off;
     }
 
-    void find_row(const CellGrid& grid, Eigen::Index j, Gaps& gaps, bool first) {
+    void find_row(const NormalContact::Cells& grid, Eigen::Index j, Gaps& gaps, bool first) {
         const Eigen::Index centre = grid.nx / 2;
         const bool straight = geometry_->rail().is_straight();
         double n_rail = 0;
@@ -121,7 +121,7 @@ private:
         double off = 0;
         bool defined = true;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = geometry_->rail_at(place, track_x_ + x);
+            const RailSurface::Point p = geometry_->rail_at(place, track_x_ + x);
             defined = p.defined;
             off = approach(p, p.z, s, place, n);
             if (std::abs(off) < tiny) break;
@@ -130,14 +130,14 @@ private:
     }
 
     double rail_slope(double x, double place) const {
-        const CurvePoint p = geometry_->rail_at(place, track_x_ + x);
+        const RailSurface::Point p = geometry_->rail_at(place, track_x_ + x);
         return (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine) / rate(*plane_, p);
     }
 
     Status wheel_at(double x, double s, double& place, double& n) const {
         double off = 0;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = wheel_->section(place, x);
+            const RailSurface::Point p = wheel_->section(place, x);
             if (!p.defined) return Status::undefined_section;
             off = approach(p, p.z + height_, s, place, n);
             if (std::abs(off) < tiny) break;
@@ -153,8 +153,8 @@ private:
         return std::abs(off) < tiny ? Status::ok : Status::undefined_section;
     }
 
-    const ContactGeometry* geometry_ = nullptr;
-    const PlacedWheel* wheel_ = nullptr;
+    const WheelOnRail::Geometry* geometry_ = nullptr;
+    const WheelSurface::Placed* wheel_ = nullptr;
     const ContactPlane* plane_ = nullptr;
     double height_ = 0, track_x_ = 0;
     Eigen::ArrayXd wheel_s_, rail_s_;  // s of the columns in the previous row

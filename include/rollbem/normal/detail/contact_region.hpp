@@ -25,12 +25,12 @@ struct ClosestPoint {
 };
 
 /// Finds the closest point from a first guess of its place; `x` along the track.
-inline ClosestPoint closest_on_rail(const ContactGeometry& geometry, double s, double x, double y, double z) {
+inline ClosestPoint closest_on_rail(const WheelOnRail::Geometry& geometry, double s, double x, double y, double z) {
     const double length = geometry.rail().length();
     constexpr double enough = 1e-7;  // error of the place; the error of the depth is of second order in it
     ClosestPoint closest{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
     for (int k = 0; k < 10; ++k) {
-        const CurvePoint p = geometry.rail_at(closest.s, x);
+        const RailSurface::Point p = geometry.rail_at(closest.s, x);
         const double square = p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1],
                      step = ((y - p.y) * p.slope[0] + (z - p.z) * p.slope[1]) / square;
         closest = {closest.s, p.y,      p.z, ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
@@ -89,12 +89,13 @@ struct ContactPlane {
 struct RailPointBelow {
     double depth, angle, s;
 };
-inline RailPointBelow rail_below(const ContactGeometry& geometry, const PenetrationSample& sample, double track_x) {
+inline RailPointBelow rail_below(const WheelOnRail::Geometry& geometry, const PenetrationSample& sample,
+                                 double track_x) {
     constexpr double wall = 0.03;  // dy/ds
     const RailPointBelow at_closest{sample.closest.depth, sample.closest.angle(), sample.closest.s};
     double s = sample.closest.s;
     for (int k = 0; k < 12; ++k) {
-        const CurvePoint p = geometry.rail_at(s, track_x + sample.x);
+        const RailSurface::Point p = geometry.rail_at(s, track_x + sample.x);
         if (!(p.slope[0] > wall)) return at_closest;
         const double step = std::clamp((sample.y - p.y) / p.slope[0], -1e-3, 1e-3);
         if (std::abs(step) < 1e-7) return {(std::max)(sample.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
@@ -105,7 +106,7 @@ inline RailPointBelow rail_below(const ContactGeometry& geometry, const Penetrat
 
 /// The plane of a region, by means over the region, weighted by widths along the track's y and powers of the depth;
 /// `track_x`: the place along the track of the rail's curve at x = 0. Nothing if all depths of the region are 0.
-inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& region, double track_x) {
+inline ContactPlane plane_of(const WheelOnRail::Geometry& geometry, const Region& region, double track_x) {
     ContactPlane plane;
     double sum = 0, rail_s = 0;
     const auto add = [&](bool by_width) {
@@ -129,7 +130,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     plane.cosine = std::cos(plane.angle);
     plane.rail = region.rail;
     // the rail's point at y, except on a wall
-    CurvePoint on_rail = geometry.rail_at(rail_s, track_x + plane.x);
+    RailSurface::Point on_rail = geometry.rail_at(rail_s, track_x + plane.x);
     for (int k = 0; k < 8 && on_rail.slope[0] > 0.05; ++k) {
         const double step = (plane.y - on_rail.y) / on_rail.slope[0];
         rail_s = std::clamp(rail_s + step, 0.0, geometry.rail().length());

@@ -18,7 +18,7 @@ namespace rollbem::detail {
 
 /// Integrals over a rectangle, in units of both semi-axes, of sqrt(1 - r^2) and of 1/sqrt(1 - r^2) inside r = 1: in
 /// closed form along x, by Gauss's rule in y between the points where the circle cuts its sides.
-inline std::array<double, 2> integrate_hemisphere(const Rectangle<double>& unit) {
+inline std::array<double, 2> integrate_hemisphere(const PatchMesh<double>::Rectangle& unit) {
     static const QuadratureRule<double> rule = gauss_legendre<double>(12);
     std::array<double, 6> ends = {unit.y_1, unit.y_2, 0, 0, 0, 0};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -50,7 +50,7 @@ inline std::array<double, 2> integrate_hemisphere(const Rectangle<double>& unit)
 }
 
 /// The share of a Hertzian load on an element, and the load times its derivative with respect to the load.
-inline std::array<double, 2> hertz_share(double a, double b, const Rectangle<double>& element) {
+inline std::array<double, 2> hertz_share(double a, double b, const PatchMesh<double>::Rectangle& element) {
     const auto [height, inverse] =
         integrate_hemisphere({element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b});
     // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3; p = p0 sqrt(1 - r^2), where 1/r and
@@ -62,11 +62,12 @@ inline std::array<double, 2> hertz_share(double a, double b, const Rectangle<dou
 /// Sets mean pressures of elements under a load on semi-axes a, b, scaled so that the elements carry it exactly, and
 /// their derivatives with respect to the load; returns the share of the load that they cover. Pressures are sized
 /// already.
-inline double set_ellipse_pressures(double a, double b, double load, const std::vector<Rectangle<double>>& elements,
-                                    ArrayX<double>& mean, ArrayX<double>& rate) {
+inline double set_ellipse_pressures(double a, double b, double load,
+                                    const std::vector<PatchMesh<double>::Rectangle>& elements, ArrayX<double>& mean,
+                                    ArrayX<double>& rate) {
     double carried = 0, growing = 0;
     for (Eigen::Index i = 0; i < mean.size(); ++i) {
-        const Rectangle<double>& element = elements[static_cast<std::size_t>(i)];
+        const PatchMesh<double>::Rectangle& element = elements[static_cast<std::size_t>(i)];
         const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
         const auto [share, growth] = hertz_share(a, b, element);
         carried += share;

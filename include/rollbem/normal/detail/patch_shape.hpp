@@ -160,7 +160,7 @@ inline std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::I
 }
 
 /// The rectangle around all pressures: x from and to, y from and to.
-inline std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+inline std::array<double, 4> extents(const NormalContact::Cells& grid, const Eigen::ArrayXXd& p) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double left = infinite, right = -left, bottom = infinite, top = -bottom;
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
@@ -258,7 +258,7 @@ inline std::vector<Eigen::ArrayXXd> split_into_patches(Eigen::ArrayXXd p) {
 
 /// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
 /// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
-inline std::optional<Outline> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+inline std::optional<Outline> contact_outline(const NormalContact::Cells& grid, const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
     // the interval of column i that touches the cells first ... last, preferably one that contains cell j

@@ -20,8 +20,8 @@ namespace detail {
 
 /// The vertical load [N] of pressures in a plane turned by `angle`, which act along the normals of a surface whose rows
 /// have the slopes dn/ds.
-inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
-                            double angle) {
+inline double vertical_load(const Eigen::ArrayXXd& pressure, const NormalContact::Cells& grid,
+                            const Eigen::ArrayXd& slope, double angle) {
     return (pressure.colwise().sum().transpose() * (std::cos(angle) - std::sin(angle) * slope)).sum() * grid.dx *
            grid.dy;
 }
@@ -29,11 +29,12 @@ inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& gri
 /// The pressures of one plane, with the wheel lower than its gaps assume.
 struct PlanePressures {
     const ContactPlane& plane;
-    const CellGrid& grid;
+    const NormalContact::Cells& grid;
     const Gaps& gaps;
     const NormalContact::Solution& solution;
     const NormalContact::Grid& pressure;
-    double lower;  ///< along n [m]
+    double lower;   ///< along n [m]
+    bool resolved;  ///< cells suffice, as far as is known
 };
 
 /// The worst status of the cells beside pressures: not ok where a surface has no point there.
@@ -67,34 +68,48 @@ inline void measure(RailPatch& patch) {
 }
 
 /// The turn of the rail's surface across the outline [rad].
-inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
+inline double turn_across(const WheelOnRail::Geometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline& outline) {
     const auto angle = [&](double s) {
-        const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
+        const RailSurface::Point p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
 }
 
-/// The largest depth of the undeformed surfaces over the cells of a patch: where they are smooth, the vertex of the
-/// parabolas through the deepest cell and its neighbours.
-inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& pressure) {
-    constexpr double smooth = 0.1;  // across edges of profiles parabolas are meaningless
-    Eigen::Index i = 0, j = 0;
-    double least = (pressure > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
-    const auto vertex = [&](double before, double after) {
-        const double bend = before - 2 * h(i, j) + after, slope = (after - before) / 2;
-        return std::abs(slope) < bend && bend < smooth * std::abs(h(i, j)) ? slope * slope / (2 * bend) : 0;
+/// The largest depth of the undeformed surfaces in a patch: about its deepest cell, on a line of points across it and
+/// then on one along it, with the vertex of the parabola through the deepest point and its neighbours on both.
+inline double largest_depth(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+                            const Eigen::ArrayXXd& pressure) {
+    constexpr Eigen::Index count = 17;  // of points, over two cells
+    const NormalContact::Grid& h = of.gaps.h;
+    Eigen::Index i = 0, j = 0, deepest = 0;
+    (pressure > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
+    const WheelSurface::Placed placed = geometry.placed(at);
+    GapFinder finder;
+    Gaps gaps;
+    double beside = 0;  // depth of vertices beside points
+    const auto least_on = [&](const NormalContact::Cells& line) {
+        finder.find(geometry, placed, at.height, at.along, of.plane, line, gaps);
+        const Eigen::ArrayXd on = gaps.h.reshaped();
+        const double least = on.minCoeff(&deepest);
+        if (deepest == 0 || deepest == count - 1) return least;
+        const double before = on[deepest - 1], after = on[deepest + 1], bend = before - 2 * least + after,
+                     slope = (after - before) / 2;
+        if (bend > 0) beside += slope * slope / (2 * bend);
+        return least;
     };
-    if (i > 0 && i + 1 < h.rows()) least -= vertex(h(i - 1, j), h(i + 1, j));
-    if (j > 0 && j + 1 < h.cols()) least -= vertex(h(i, j - 1), h(i, j + 1));
-    return -least;
+    const double dx = 2 * of.grid.dx / (count - 1), ds = 2 * of.grid.dy / (count - 1);
+    NormalContact::Cells line{1, count, of.grid.x(i), of.grid.y(j) - of.grid.dy, dx, ds};
+    least_on(line);
+    line = {count, 1, line.x_0 - of.grid.dx, line.y(deepest), dx, ds};
+    return beside - least_on(line);
 }
 
 /// What all patches of a plane have in common.
-inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
+inline RailPatch patch_on(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
     const ContactPlane& plane = of.plane;
-    const PlacedWheel placed = geometry.placed(at);
+    const WheelSurface::Placed placed = geometry.placed(at);
     RailPatch patch;
     patch.x = plane.x;
     patch.y = plane.y;
@@ -118,7 +133,7 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
 
 /// Splits pressures into patches that every row cuts in one interval. Patches too small for an outline that carry less
 /// than `negligible` [N] are dropped.
-inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+inline void add_patches(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
                         double negligible, std::vector<RailPatch>& patches) {
     constexpr double doubtful = 0.2;  // [rad]
     const RailPatch common = patch_on(geometry, at, of);
@@ -128,11 +143,11 @@ inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition&
         patch.load = pressure.sum() * of.grid.dx * of.grid.dy;
         patch.outline = contact_outline(of.grid, pressure);
         if (!patch.outline && patch.load < negligible) continue;
-        patch.approach = of.lower + largest_depth(of.gaps.h, pressure);
+        patch.approach = of.lower + largest_depth(geometry, at, of, pressure);
         patch.peak_pressure = detail::peak_pressure(pressure);
-        if (!patch.outline) {
-            if (patch.has_numbers()) patch.status = Status::few_cells;
-        } else {
+        const bool unsettled = !of.resolved && patch.status == Status::not_converged;
+        if (unsettled || ((!patch.outline || !of.resolved) && patch.has_numbers())) patch.status = Status::few_cells;
+        if (patch.outline) {
             measure(patch);
             if (patch.status == Status::ok && turn_across(geometry, of.plane, at.along, *patch.outline) > doubtful) {
                 patch.status = Status::doubtful_plane;

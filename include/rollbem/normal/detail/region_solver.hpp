@@ -20,6 +20,7 @@
 #include "plane_patches.hpp"
 #include "silhouette_search.hpp"
 #include "slice_search.hpp"
+#include "sufficient_cells.hpp"
 
 namespace rollbem::detail {
 
@@ -31,7 +32,7 @@ inline double interaction(double angle) { return (std::max)(0.0, 1 - 1.4 * (1 - 
 struct ContactSettings {
     Eigen::Index cells_x, cells_s;
     double tolerance, cell_size;
-    bool interaction;
+    bool interaction, halves_cells;
 };
 
 /// The load [N] of a row of cells, its mean place in track axes [m], and the variance of its x [m^2].
@@ -43,22 +44,26 @@ struct RowLoad {
 struct SolvedRegion {
     ContactPlane plane{};
     std::size_t body = 0;  // regions of one body displace each other always
-    CellGrid grid{};
+    NormalContact::Cells grid{};
     Gaps gaps{};  // gaps at the height of the plane
     NormalContact::Solution solution{};
     double vertical = 0;  // vertical load of the pressures [N]
     std::vector<RowLoad> rows{};
+    Eigen::Index times_x = 1, times_s = 1;  // the usual numbers of cells are multiplied by these
+    bool resolved = true;                   // cells suffice, as far as is known
 };
 
 class RegionSolver {
 public:
     /// Starts a contact at a position, without its height.
-    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
+    Status locate(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
         geometry_ = &geometry;
         settings_ = settings;
         at_ = at;
         placed_.emplace(geometry.placed(at));
-        cells_ = 1;
+        regions_.clear();
+        if (!normal_.empty() && normal_[0].compliance() != geometry.compliance()) normal_.clear();
+        work_ = work_before_ = 0;
         return geometry.is_plain() ? silhouette_.locate(geometry, at) : slices_.locate(geometry, at);
     }
 
@@ -66,15 +71,37 @@ public:
     bool is_too_deep() const { return geometry_->is_plain() ? silhouette_.is_too_deep() : slices_.is_too_deep(); }
     double height() const { return at_.height; }
 
-    /// Multiplies the usual number of cells in both directions by this factor, from the next refine() on.
-    void set_cells(Eigen::Index times) { cells_ = times; }
+    /// Doubles the numbers of cells, from the next refine() on, of regions where they do not suffice, in the directions
+    /// that need it. Returns whether there are any; patches whose cells must not be doubled again have few_cells.
+    bool double_cells() {
+        if (!settings_.halves_cells || is_too_deep()) return false;
+        const double work = work_ - std::exchange(work_before_, work_);
+        bool any = false;
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
+            if (!regions_[k].resolved) return false;
+            any = double_cells(k, work) || any;
+            if (!regions_[k].resolved) return false;
+        }
+        return any;
+    }
 
     /// Finds the regions of the contact at a height, and their loads on coarse grids.
     void divide(double height) {
         at_.height = height;
+        // regions that join or split have the cells of the finest
+        Eigen::Index times_x = 1, times_s = 1;
+        bool resolved = true;
+        for (const SolvedRegion& region : regions_) {
+            times_x = (std::max)(times_x, region.times_x);
+            times_s = (std::max)(times_s, region.times_s);
+            resolved = resolved && region.resolved;
+        }
         regions_.clear();
         for (const Region& found : find_regions(height)) {
             SolvedRegion& region = regions_.emplace_back();
+            region.times_x = times_x;
+            region.times_s = times_s;
+            region.resolved = resolved;
             region.plane = plane_of(*geometry_, found, at_.along);
             region.body = found.body;
             region.grid = first_grid(region.plane);
@@ -129,6 +156,7 @@ public:
                 const double depth = lower * region.plane.cosine;
                 const NormalContact::Grid& h = rounds > 1 ? displaced(k) : region.gaps.h;
                 region.solution = normal_[k].approach(region.grid, h, depth, tolerance, warm || round > 0);
+                note_work(region);
                 region.vertical = vertical_load(k);
                 if (rounds > 1) find_rows(k);
             }
@@ -136,8 +164,8 @@ public:
     }
 
     /// The distance by which the wheel must be lower than its gaps assume to carry a vertical load [N]; nothing if it
-    /// was not found.
-    std::optional<double> lower_until(double load) {
+    /// was not found. `tolerance`: relative error of the load, and of gaps over the approach.
+    std::optional<double> lower_until(double load, double tolerance) {
         if (regions_.empty()) return std::nullopt;
         if (regions_.size() == 1) {
             constexpr double wall = 1e-3;  // a cosine: surfaces as steep as this carry nothing
@@ -147,10 +175,11 @@ public:
             const double share = region.vertical > 0 ? region.vertical / region.solution.load : region.plane.cosine;
             double normal = load / share, last = 0, before = 0, rate = 1;
             for (int k = 0; k < 12; ++k) {
-                region.solution = normal_[0].carry(region.grid, region.gaps.h, normal, settings_.tolerance, true);
+                region.solution = normal_[0].carry(region.grid, region.gaps.h, normal, tolerance, true);
+                note_work(region);
                 region.vertical = vertical_load(0);
                 const double missing = std::log(load / region.vertical);
-                if (!is_finite(missing) || std::abs(missing) < settings_.tolerance) break;
+                if (!is_finite(missing) || std::abs(missing) < tolerance) break;
                 if (k > 0) rate = std::clamp((before - missing) / std::log(normal / last), 0.3, 3.0);
                 before = missing;
                 last = std::exchange(normal, normal * std::exp(missing / rate));
@@ -161,9 +190,9 @@ public:
         const auto root = [](double of) { return std::cbrt(of * of); };
         double lower = 0, low = -std::numeric_limits<double>::infinity(), high = -low, last = 0, value = 0;
         for (int k = 0; k < 60; ++k) {
-            settle(lower, settings_.tolerance / 10, true);
+            settle(lower, tolerance / 10, true);
             const double found = carried();
-            if (std::abs(found / load - 1) < settings_.tolerance) return lower;
+            if (std::abs(found / load - 1) < tolerance) return lower;
             (found < load ? low : high) = lower;
             const double rate = k == 0 ? root(found) / deepest() : (root(found) - value) / (lower - last);
             last = lower;
@@ -198,17 +227,15 @@ public:
 
     /// Patches by decreasing load, with the wheel lower than its gaps assume.
     std::vector<RailPatch> patches(double lower) const {
-        constexpr double negligible_load_share = 1e-3;  // of the normal forces
-        double load = 0;
-        for (const SolvedRegion& region : regions_) load += region.solution.load;
+        const double negligible = negligible_load();
         std::vector<RailPatch> found;
         for (std::size_t k = 0; k < regions_.size(); ++k) {
             const SolvedRegion& region = regions_[k];
             if (!(region.solution.load > 0)) continue;
             add_patches(*geometry_, at_,
                         {region.plane, region.grid, region.gaps, region.solution, normal_[k].pressure(),
-                         lower * region.plane.cosine},
-                        negligible_load_share * load, found);
+                         lower * region.plane.cosine, is_resolved(region)},
+                        negligible, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
@@ -216,6 +243,77 @@ public:
     }
 
 private:
+    // The load of a patch [N] below which it may have too few cells.
+    double negligible_load() const {
+        constexpr double share = 1e-3;  // of the normal forces
+        double load = 0;
+        for (const SolvedRegion& region : regions_) load += region.solution.load;
+        return share * load;
+    }
+
+    // Pressures that do not settle on halved cells need more cells than can be solved for.
+    static bool is_resolved(const SolvedRegion& of) {
+        const bool halved = of.times_x * of.times_s > 1;
+        return of.resolved && !(halved && of.solution.status == Status::not_converged);
+    }
+
+    void note_work(const SolvedRegion& of) { work_ += double(of.solution.steps) * double(of.grid.nx * of.grid.ny); }
+
+    // `work`: that of the present cells.
+    bool double_cells(std::size_t k, double work) {
+        // cells times steps of a contact, some tenths of a second; those after a doubling are estimated
+        constexpr double most_work = 5e6, rounds = 3;
+        SolvedRegion& region = regions_[k];
+        const NormalContact::Grid& p = normal_[k].pressure();
+        // no cells resolve pressures that end where a surface does
+        if (!(region.solution.load > 0) || border_of(region.gaps, p) != Status::ok) return false;
+        CellDoubling wanted = doubling_for_outlines(region.grid, p, negligible_load());
+        if (!wanted && settings_.cell_size == 0) wanted = doubling_for_pressures(k);
+        if (!wanted) return false;
+        if (settings_.cell_size > 0) wanted = {true, true};
+        const double times = (wanted.x ? 2 : 1) * (wanted.s ? 2 : 1);
+        region.resolved = work_ + rounds * times * work < most_work;
+        if (!region.resolved) return false;
+        if (wanted.x) region.times_x *= 2;
+        if (wanted.s) region.times_s *= 2;
+        return true;
+    }
+
+    // The directions in which cells are too large: where pressures on cells twice as large differ too much.
+    CellDoubling doubling_for_pressures(std::size_t k) {
+        const SolvedRegion& region = regions_[k];
+        const NormalContact::Grid& h = interact() ? displaced(k) : region.gaps.h;
+        const double counted = 20 * negligible_load();
+        const auto by = [&](Eigen::Index every_x, Eigen::Index every_s) {
+            return change_by_larger_cells(coarse_, region.grid, h, region.solution, normal_[k].pressure(),
+                                          geometry_->compliance(), counted, every_x, every_s);
+        };
+        const bool in_x = misses_waves(k, true), in_s = misses_waves(k, false);
+        if (in_x || in_s) return {in_x, in_s};
+        if (by(2, 2) < 1) return {};
+        const bool by_x = by(2, 1) > by(1, 2);
+        return {by_x, !by_x};
+    }
+
+    // Whether gaps between the centres of cells, on the line along x or s through the largest pressure, could raise it
+    // by more than cells may miss.
+    bool misses_waves(std::size_t k, bool along_x) {
+        const SolvedRegion& region = regions_[k];
+        const NormalContact::Cells& grid = region.grid;
+        const NormalContact::Grid& p = normal_[k].pressure();
+        Eigen::Index i = 0, j = 0;
+        p.maxCoeff(&i, &j);
+        NormalContact::Cells line = grid;
+        constexpr Eigen::Index parts = WavesMissed::parts;
+        line.nx = along_x ? parts * (grid.nx - 1) + 1 : 1;
+        line.ny = along_x ? 1 : parts * (grid.ny - 1) + 1;
+        (along_x ? line.y_0 : line.x_0) = along_x ? grid.y(j) : grid.x(i);
+        (along_x ? line.dx : line.dy) /= parts;
+        finder_.find(*geometry_, *placed_, at_.height, at_.along, region.plane, line, row_);
+        const Eigen::ArrayXd h = row_.h.reshaped(), pressures = along_x ? p.col(j).eval() : p.row(i).transpose().eval();
+        return WavesMissed{h, pressures, along_x ? grid.dx : grid.dy, geometry_->compliance()}.raise_peak();
+    }
+
     std::vector<Region> find_regions(double height) {
         return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
     }
@@ -293,7 +391,7 @@ private:
     void find_rows(std::size_t k) {
         SolvedRegion& region = regions_[k];
         const ContactPlane& plane = region.plane;
-        const CellGrid& grid = region.grid;
+        const NormalContact::Cells& grid = region.grid;
         const NormalContact::Grid& p = normal_[k].pressure();
         const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1));
         region.rows.clear();
@@ -307,7 +405,7 @@ private:
         }
     }
 
-    CellGrid first_grid(const ContactPlane& plane) const {
+    NormalContact::Cells first_grid(const ContactPlane& plane) const {
         constexpr Eigen::Index cells = 24;
         constexpr double least = 2e-6;
         const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
@@ -317,10 +415,11 @@ private:
     }
 
     // Grid over the cells that may touch, with a margin of two cells.
-    CellGrid finer(std::size_t k) {
-        const auto [left, right, bottom, top] = extents(regions_[k].grid, normal_[k].pressure());
+    NormalContact::Cells finer(std::size_t k) {
+        const SolvedRegion& region = regions_[k];
+        const auto [left, right, bottom, top] = extents(region.grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
-        if (const double size = settings_.cell_size / double(cells_); size > 0) {
+        if (const double size = settings_.cell_size / double(region.times_x); size > 0) {
             const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
             return {count(right - left),
                     count(top - bottom),
@@ -331,16 +430,19 @@ private:
         }
         // lines across the track end where profiles have edges
         constexpr double line = 10;
-        const bool lobes = top - bottom > line * (right - left) || has_lobes(regions_[k].plane);
-        // patches with too few cells are cut by few lines across the track
-        const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
-                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
-        const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
-        return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
+        const bool lobes = top - bottom > line * (right - left) || has_lobes(region);
+        const Eigen::Index nx = settings_.cells_x * region.times_x,
+                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * region.times_s;
+        // a contact that reached the border has grown by more than two of many cells
+        const auto beside = [&](Eigen::Index count) { return outgrown(k) ? (std::max)(margin, count / 16) : margin; };
+        const Eigen::Index beside_x = beside(nx), beside_s = beside(ny);
+        const double dx = (right - left) / double(nx - 2 * beside_x), dy = (top - bottom) / double(ny - 2 * beside_s);
+        return {nx, ny, left + (0.5 - double(beside_x)) * dx, bottom + (0.5 - double(beside_s)) * dy, dx, dy};
     }
 
     // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
-    bool has_lobes(const ContactPlane& plane) {
+    bool has_lobes(const SolvedRegion& region) {
+        const ContactPlane& plane = region.plane;
         constexpr Eigen::Index count = 80, least_cells = 10;
         const double ds = (plane.high - plane.low) / count;
         if (!(ds > 0)) return false;
@@ -353,7 +455,7 @@ private:
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
-        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
+        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
         // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
@@ -397,10 +499,10 @@ private:
         return (p.row(0) > 0).any() || (p.row(right) > 0).any() || (p.col(0) > 0).any() || (p.col(top) > 0).any();
     }
 
-    const ContactGeometry* geometry_ = nullptr;
+    const WheelOnRail::Geometry* geometry_ = nullptr;
     ContactSettings settings_{};
     WheelsetPosition at_;
-    std::optional<PlacedWheel> placed_;
+    std::optional<WheelSurface::Placed> placed_;
     SilhouetteSearch silhouette_;
     SliceSearch slices_;
     GapFinder finder_;
@@ -409,7 +511,8 @@ private:
     std::vector<PointLoad> loads_;
     std::vector<SolvedRegion> regions_;
     std::vector<NormalContact> normal_;  // normal problems of the regions
-    Eigen::Index cells_ = 1;
+    NormalContact coarse_{1};            // on cells twice as large
+    double work_ = 0, work_before_ = 0;  // cells times steps of this contact, and those before the present cells
 };
 
 }  // namespace rollbem::detail

@@ -20,7 +20,7 @@ namespace rollbem::detail {
 class SilhouetteSearch {
 public:
     /// Finds the height at which the wheel, lowered, touches first.
-    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
+    Status locate(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at) {
         geometry_ = &geometry;
         placed_.emplace(geometry.placed(at));
         trace();
@@ -119,7 +119,7 @@ private:
         bool before = true;
         for (std::size_t k = 0; k <= count; ++k) {
             const double s = length * double(k) / double(count);
-            const PlacedWheel::Place p = placed_->silhouette(s);
+            const WheelSurface::Placed::Place p = placed_->silhouette(s);
             if (p.defined) {
                 samples_.push_back({s, p.y, p.z, 0, 0, !before, false, {}});
             } else if (before && !samples_.empty()) {
@@ -148,8 +148,8 @@ private:
     // wheel's, NaN where the silhouette is not defined.
     double place(PenetrationSample& of, double rail_s) const {
         constexpr double beside = 1e-7;  // [m]
-        const PlacedWheel::Place one = placed_->silhouette(of.wheel_s - beside),
-                                 two = placed_->silhouette(of.wheel_s + beside);
+        const WheelSurface::Placed::Place one = placed_->silhouette(of.wheel_s - beside),
+                                          two = placed_->silhouette(of.wheel_s + beside);
         if (!one.defined || !two.defined) return std::numeric_limits<double>::quiet_NaN();
         const double dy = two.y - one.y, dz = two.z - one.z;
         of.x = (one.x + two.x) / 2;
@@ -234,7 +234,7 @@ private:
         double rail_s = samples_[range.first].closest.s;
         for (int k = 0; k <= count; ++k) {
             const double s = one.s + (two.s - one.s) * k / count;
-            const PlacedWheel::Place p = placed_->silhouette(s);
+            const WheelSurface::Placed::Place p = placed_->silhouette(s);
             if (!p.defined) continue;
             const ClosestPoint closest = closest_on_rail(*geometry_, rail_s, 0, p.y, p.z + height);
             rail_s = closest.s;
@@ -253,8 +253,8 @@ private:
         return region;
     }
 
-    const ContactGeometry* geometry_ = nullptr;
-    std::optional<PlacedWheel> placed_;
+    const WheelOnRail::Geometry* geometry_ = nullptr;
+    std::optional<WheelSurface::Placed> placed_;
     std::vector<Sample> samples_;
     bool is_whole_ = true;  // the silhouette is defined everywhere
     double touch_ = 0, height_ = 0, searched_at_ = std::numeric_limits<double>::quiet_NaN();

@@ -22,7 +22,7 @@ namespace rollbem::detail {
 /// A search at one lateral position, roll, yaw, pitch and place along the track; used as SilhouetteSearch.
 class SliceSearch {
 public:
-    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
+    Status locate(const WheelOnRail::Geometry& geometry, const WheelsetPosition& at) {
         geometry_ = &geometry;
         track_x_ = at.along;
         placed_.emplace(geometry.placed(at));
@@ -119,7 +119,7 @@ private:
             const auto count = static_cast<std::size_t>(std::ceil(wheel.length() / distance));
             for (std::size_t i = 0; i <= count; ++i) {
                 const double s = wheel.length() * double(i) / double(count);
-                const CurvePoint p = placed_->section(s, slice.x);
+                const RailSurface::Point p = placed_->section(s, slice.x);
                 const double size = std::hypot(p.slope[0], p.slope[1]);
                 if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, s});
             }
@@ -185,7 +185,7 @@ private:
         Point p = from;
         p.x = x;
         p.s = s;
-        const CurvePoint on_wheel = placed_->section(s, x);
+        const RailSurface::Point on_wheel = placed_->section(s, x);
         p.y = on_wheel.y;
         p.z = on_wheel.z + height;
         p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length();
@@ -373,8 +373,8 @@ private:
         return found.back().body;
     }
 
-    const ContactGeometry* geometry_ = nullptr;
-    std::optional<PlacedWheel> placed_;
+    const WheelOnRail::Geometry* geometry_ = nullptr;
+    std::optional<WheelSurface::Placed> placed_;
     double track_x_ = 0, touch_ = 0, height_ = 0;
     double deepest_at_ = 0;  // height at which deepest points were searched
     std::vector<Slice> slices_;

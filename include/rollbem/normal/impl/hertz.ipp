@@ -32,7 +32,7 @@ ROLLBEM_DECL CombinedBodies::CombinedBodies(const char* who, const ElasticBody& 
 
 }  // namespace detail
 
-ROLLBEM_DECL ArrayX<double> HertzPressure::operator()(const Mesh<double>& mesh) const {
+ROLLBEM_DECL ArrayX<double> HertzLine::Pressure::operator()(const Mesh<double>& mesh) const {
     return peak * mean_hertz_pressure(mesh);
 }
 
@@ -73,8 +73,8 @@ namespace detail {
 
 /// HertzEllipse::pressures for semi-axes a, b and a load.
 inline ElementPressures ellipse_pressures(double a, double b, double load,
-                                          const std::vector<Rectangle<double>>& elements) {
-    for (const Rectangle<double>& element : elements) {
+                                          const std::vector<PatchMesh<double>::Rectangle>& elements) {
+    for (const PatchMesh<double>::Rectangle& element : elements) {
         const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
         require(is_finite(area) && element.x_1 < element.x_2 && element.y_1 < element.y_2, "HertzEllipse",
                 "area of an element", area, "be positive and finite");
@@ -118,7 +118,8 @@ ROLLBEM_DECL HertzEllipse HertzEllipse::under(double load) const {
     return other;
 }
 
-ROLLBEM_DECL auto HertzEllipse::pressures(const std::vector<Rectangle<double>>& elements) const -> Pressures {
+ROLLBEM_DECL auto HertzEllipse::pressures(const std::vector<PatchMesh<double>::Rectangle>& elements) const
+    -> Pressures {
     return detail::ellipse_pressures(a_, b_, load_, elements);
 }
 
@@ -167,8 +168,8 @@ ROLLBEM_DECL HertzEllipse::HertzEllipse(const Parameters& parameters)
     check();
 }
 
-ROLLBEM_DECL ArrayX<double> hertz_pressures(const PatchContact& contact, const std::vector<Rectangle<double>>& elements,
-                                            double load) {
+ROLLBEM_DECL ArrayX<double> hertz_pressures(const PatchContact& contact,
+                                            const std::vector<PatchMesh<double>::Rectangle>& elements, double load) {
     detail::require(!contact.outline(), "hertz_pressures", "number of lines of an outline",
                     contact.outline() ? contact.outline()->y().size() : 0, "be 0: Hertz's contact is an ellipse");
     detail::require_positive("hertz_pressures", "load", load);
@@ -207,20 +208,21 @@ inline SemicircleIntegrals integrate_covered(const UnitStretch& element, double 
 
 }  // namespace detail
 
-ROLLBEM_DECL double HertzLoad::half_length(double load_per_width) const {
+ROLLBEM_DECL double HertzLine::Load::half_length(double load_per_width) const {
     return line_.half_length() * std::sqrt(load_per_width / line_.load_per_width());
 }
 
-ROLLBEM_DECL double HertzLoad::half_length_rate(double load_per_width) const {
+ROLLBEM_DECL double HertzLine::Load::half_length_rate(double load_per_width) const {
     return fixed_ ? 0.0 : half_length(load_per_width) / (2 * load_per_width);
 }
 
-ROLLBEM_DECL HertzLoad HertzLoad::fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length) {
-    detail::require_positive("HertzLoad", "half_length", half_length);
-    return HertzLoad(line, mesh, half_length);
+ROLLBEM_DECL HertzLine::Load HertzLine::Load::fixed(const HertzLine& line, const Mesh<double>& mesh,
+                                                    double half_length) {
+    detail::require_positive("HertzLine::Load", "half_length", half_length);
+    return HertzLine::Load(line, mesh, half_length);
 }
 
-ROLLBEM_DECL Status HertzLoad::set(double load_per_width, NormalLoad& load) const noexcept {
+ROLLBEM_DECL Status HertzLine::Load::set(double load_per_width, NormalLoad& load) const noexcept {
     const double a = half_length(load_per_width);
     const bool possible = detail::is_finite(load_per_width) && detail::is_finite(a) && load_per_width >= 0 &&
                           (fixed_ ? a <= *fixed_ * (1 + 4 * std::numeric_limits<double>::epsilon()) : a > 0);
@@ -237,16 +239,16 @@ ROLLBEM_DECL Status HertzLoad::set(double load_per_width, NormalLoad& load) cons
     return Status::ok;
 }
 
-ROLLBEM_DECL auto HertzLoad::at(double load_per_width) const -> NormalLoad {
+ROLLBEM_DECL auto HertzLine::Load::at(double load_per_width) const -> NormalLoad {
     NormalLoad load{ArrayX<double>::Zero(size()), 0, ArrayX<double>::Zero(size())};
     const Status status = set(load_per_width, load);
     detail::require(
-        status == Status::ok, "HertzLoad", "load_per_width", load_per_width,
+        status == Status::ok, "HertzLine::Load", "load_per_width", load_per_width,
         breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
     return load;
 }
 
-ROLLBEM_DECL void HertzLoad::cover(double load_per_width, double a, NormalLoad& load) const noexcept {
+ROLLBEM_DECL void HertzLine::Load::cover(double load_per_width, double a, NormalLoad& load) const noexcept {
     const double radius = a / *fixed_,
                  beside = 1 - radius;  // half-length of the contact, and length of the mesh beyond it, over the
                                        // mesh's half-length
@@ -276,38 +278,38 @@ ROLLBEM_DECL SemiAxes least_resolved(const PatchContact& contact, const PatchMes
             a * rounding * half_of_three(mesh.lower(), mesh.upper())};
 }
 
-ROLLBEM_DECL auto HertzPatchLoad::semi_axes(double load) const -> SemiAxes {
+ROLLBEM_DECL auto HertzEllipse::Load::semi_axes(double load) const -> SemiAxes {
     const double scale = std::cbrt(load / ellipse_.load());
     return {scale * ellipse_.half_length(), scale * ellipse_.half_width()};
 }
 
-ROLLBEM_DECL Status HertzPatchLoad::set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept {
+ROLLBEM_DECL Status HertzEllipse::Load::set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept {
     const double load = ellipse.turn() == 0 ? ellipse.load() : std::numeric_limits<double>::quiet_NaN();
     return set(load, {ellipse.half_length(), ellipse.half_width()}, result);
 }
 
-ROLLBEM_DECL auto HertzPatchLoad::at(double load) const -> NormalLoad {
+ROLLBEM_DECL auto HertzEllipse::Load::at(double load) const -> NormalLoad {
     NormalLoad result{ArrayX<double>::Zero(size()), 0, ArrayX<double>::Zero(size())};
     const Status status = set(load, result);
     detail::require(
-        status != Status::invalid_load, "HertzPatchLoad", "load", load,
+        status != Status::invalid_load, "HertzEllipse::Load", "load", load,
         breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
     return result;
 }
 
-ROLLBEM_DECL HertzPatchLoad::HertzPatchLoad(const HertzEllipse& ellipse, const PatchContact& contact,
-                                            const PatchMesh<double>& mesh, bool fixed)
+ROLLBEM_DECL HertzEllipse::Load::Load(const HertzEllipse& ellipse, const PatchContact& contact,
+                                      const PatchMesh<double>& mesh, bool fixed)
     : ellipse_(ellipse),
       axes_{contact.half_length(), contact.half_width()},
       least_(least_resolved(contact, mesh)),
       elements_(mesh.rectangles(contact.half_length())),
       shape_(hertz_pressures(contact, mesh, 1) * (contact.half_length() * contact.half_width())),
       fixed_(fixed) {
-    detail::require(ellipse.turn() == 0, "HertzPatchLoad", "turn of the ellipse", ellipse.turn(),
+    detail::require(ellipse.turn() == 0, "HertzEllipse::Load", "turn of the ellipse", ellipse.turn(),
                     "be 0: strips lie along x; take along_rolling()");
 }
 
-ROLLBEM_DECL Status HertzPatchLoad::set(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept {
+ROLLBEM_DECL Status HertzEllipse::Load::set(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept {
     const bool sized = result.normal_pressure.size() == size() && result.pressure_rate.size() == size();
     const bool possible = sized && detail::is_finite(load) &&
                           (fixed_ ? load >= 0 && is_covered(ellipse) : load > 0 && detail::are_positive(ellipse));
@@ -322,12 +324,12 @@ ROLLBEM_DECL Status HertzPatchLoad::set(double load, const SemiAxes& ellipse, No
     return Status::ok;
 }
 
-ROLLBEM_DECL bool HertzPatchLoad::is_covered(const SemiAxes& ellipse) const {
+ROLLBEM_DECL bool HertzEllipse::Load::is_covered(const SemiAxes& ellipse) const {
     constexpr double rounding = 1 + 4 * std::numeric_limits<double>::epsilon();
     return ellipse.half_length <= axes_.half_length * rounding && ellipse.half_width <= axes_.half_width * rounding;
 }
 
-ROLLBEM_DECL Status HertzPatchLoad::cover(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept {
+ROLLBEM_DECL Status HertzEllipse::Load::cover(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept {
     // without load, a contact far smaller than any element in the middle
     const double beginning = std::numeric_limits<double>::epsilon();
     const double a = (std::max)(ellipse.half_length, beginning * axes_.half_length),

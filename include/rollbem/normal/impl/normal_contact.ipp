@@ -19,14 +19,14 @@ ROLLBEM_DECL NormalContact::NormalContact(double compliance) : compliance_(compl
     detail::require_positive("NormalContact", "compliance", compliance);
 }
 
-ROLLBEM_DECL auto NormalContact::without(const Solution& none, const CellGrid& grid) -> const Solution& {
+ROLLBEM_DECL auto NormalContact::without(const Solution& none, const NormalContact::Cells& grid) -> const Solution& {
     p_ = Grid::Zero(grid.nx, grid.ny);
     grid_ = grid;
     return none;
 }
 
-ROLLBEM_DECL void NormalContact::move_to(const CellGrid& grid) {
-    const CellGrid from = std::exchange(grid_, grid);
+ROLLBEM_DECL void NormalContact::move_to(const NormalContact::Cells& grid) {
+    const NormalContact::Cells from = std::exchange(grid_, grid);
     if (from.nx == grid.nx && from.ny == grid.ny && from.dx == grid.dx && from.dy == grid.dy) return;
     const Grid old = std::exchange(p_, Grid::Zero(grid.nx, grid.ny));
     const auto inside = [](double at, Eigen::Index count) { return at >= 0 && at < double(count - 1); };
@@ -61,7 +61,7 @@ ROLLBEM_DECL auto NormalContact::project(double tau) -> Step {
     return step;
 }
 
-ROLLBEM_DECL NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h,
+ROLLBEM_DECL NormalContact::Solution NormalContact::solve(const NormalContact::Cells& grid, const Grid& h,
                                                           std::optional<double> load, double approach, double tolerance,
                                                           bool warm) {
     detail::require(h.rows() == grid.nx && h.cols() == grid.ny && h.size() > 0, "NormalContact", "number of gaps",
@@ -95,7 +95,7 @@ ROLLBEM_DECL NormalContact::Solution NormalContact::solve(const CellGrid& grid, 
 }
 
 // The first guess, in units of `unit`.
-ROLLBEM_DECL void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, double unit) {
+ROLLBEM_DECL void NormalContact::begin(const NormalContact::Cells& grid, bool by_load, bool warm, double unit) {
     if (warm && p_.size() > 0) {
         move_to(grid);
         p_ /= by_load ? p_.maxCoeff() : unit;

@@ -75,10 +75,11 @@ ROLLBEM_DECL PressureGrid::PressureGrid(ArrayX<double> x, ArrayX<double> y, Matr
     detail::require_positive("PressureGrid", "load", load);
 }
 
-ROLLBEM_DECL auto PressureGrid::operator()(const std::vector<Rectangle<double>>& elements) const -> ArrayX<double> {
+ROLLBEM_DECL auto PressureGrid::operator()(const std::vector<PatchMesh<double>::Rectangle>& elements) const
+    -> ArrayX<double> {
     ArrayX<double> mean(static_cast<Eigen::Index>(elements.size()));
     Eigen::Index i = 0;
-    for (const Rectangle<double>& element : elements) {
+    for (const PatchMesh<double>::Rectangle& element : elements) {
         const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
         detail::require(detail::is_finite(area) && element.x_1 < element.x_2 && area > 0, "PressureGrid",
                         "area of an element", area, "be positive and finite");
@@ -109,7 +110,7 @@ ROLLBEM_DECL auto PressureGrid::weights(const ArrayX<double>& knots, double low,
     return found;
 }
 
-ROLLBEM_DECL double PressureGrid::over(const Rectangle<double>& element) const {
+ROLLBEM_DECL double PressureGrid::over(const PatchMesh<double>::Rectangle& element) const {
     const Weights x = weights(x_, element.x_1, element.x_2), y = weights(y_, element.y_1, element.y_2);
     double sum = 0;
     for (std::size_t j = 0; j < y.values.size(); ++j) {

@@ -73,13 +73,29 @@ inline std::string fault_of_rail(const Eigen::ArrayXd& y, const Eigen::ArrayXd& 
     return "";
 }
 
-/// The remedy where another unit of length would make a width right, or "".
-inline std::string look_of_unit(double width, double least, double most) {
-    const auto fits = [&](double factor) { return width * factor >= least && width * factor <= most; };
-    if (fits(1000)) return "these look like metres read as millimetres: --length-unit m";
-    if (fits(1e-3)) return "these look like millimetres read as metres: --length-unit mm";
-    if (fits(25.4)) return "these look like inches read as millimetres: convert the file";
-    return "";
+/// The remedy where other units would make a length [m] right, or ""; with `per_metre` of the file that was read only
+/// units taken for that one. Units that an option names come first.
+inline std::string look_of_unit(double length, double least, double most, std::optional<double> per_metre = {}) {
+    struct Mistake {
+        double factor, per_metre;
+        const char *unit, *remedy;
+    };
+    constexpr const char* convert = "convert the file";
+    std::string units, remedy;
+    for (const Mistake& one : {Mistake{1e3, 1e3, "metres", "--length-unit m (per_metre = 1)"},
+                               Mistake{1e-3, 1, "millimetres", "--length-unit mm (per_metre = 1000)"},
+                               Mistake{25.4, 1e3, "inches", convert}, Mistake{10, 1e3, "centimetres", convert},
+                               Mistake{1e-3, 1e3, "micrometres", convert}, Mistake{0.0254, 1, "inches", convert},
+                               Mistake{0.01, 1, "centimetres", convert}, Mistake{1e-6, 1, "micrometres", convert}}) {
+        const double meant = length * one.factor;
+        if (per_metre.value_or(one.per_metre) != one.per_metre || meant < least || meant > most) continue;
+        if (!units.empty() && one.remedy != remedy) break;
+        units += (units.empty() ? "" : " or ") + std::string(one.unit);
+        per_metre = one.per_metre;
+        remedy = one.remedy;
+    }
+    if (units.empty()) return "";
+    return "these look like " + units + " read as " + (*per_metre == 1 ? "metres: " : "millimetres: ") + remedy;
 }
 
 /// The presumed cause, and the options that correct it.
@@ -144,7 +160,7 @@ namespace rollbem::detail {
 /// Reads one profile file, no sections.
 class ProfileReader {
 public:
-    ProfileReader(const std::filesystem::path& path, Profile::Use use, const ProfileFileOptions& options,
+    ProfileReader(const std::filesystem::path& path, Profile::Use use, const ProfileFile::Options& options,
                   std::vector<std::string>& notes)
         : file_(path), use_(use), options_(options), notes_(notes) {}
 
@@ -207,23 +223,20 @@ private:
         }
         if ((length >= 5e-3 && length <= 0.5) || points.size() < 2) return;
         std::string text = "length along the profile = " + in_mm(length) + " must lie in 5 to 500 mm";
-        const double other = options_.per_metre == 1 ? length / 1000 : length * 1000;
-        if (columns && other >= 5e-3 && other <= 0.5) {
-            text += options_.per_metre == 1 ? ": these look like millimetres: --length-unit mm (per_metre = 1000)"
-                                            : ": these look like metres: --length-unit m (per_metre = 1)";
-        }
+        const std::string look = columns ? look_of_unit(length, 15e-3, 0.5, options_.per_metre) : "";
+        if (!look.empty()) text += ": " + look;
         file_.refuse(text);
     }
 
     TextFile file_;
     Profile::Use use_;
-    const ProfileFileOptions& options_;
+    const ProfileFile::Options& options_;
     std::vector<std::string>& notes_;
     bool turned_ = false, reversed_ = false;
 };
 
 /// Sections and their profiles.
-inline Sections read_sections(const std::filesystem::path& path, Profile::Use use, const ProfileFileOptions& options,
+inline Sections read_sections(const std::filesystem::path& path, Profile::Use use, const ProfileFile::Options& options,
                               std::vector<std::string>& notes) {
     const TextFile file(path);
     const bool along = lower_case(path.extension().string()) == ".slcs";
@@ -231,7 +244,7 @@ inline Sections read_sections(const std::filesystem::path& path, Profile::Use us
         file.refuse(along ? "sections along the track are of a rail" : "sections round the wheel are of a wheel");
     }
     const SectionsText text = SectionsReader::read(file, along ? 1000 : 1);
-    std::vector<Section> sections;
+    std::vector<Sections::Section> sections;
     std::optional<bool> turned;
     for (const SectionLine& line : text.sections) {
         const std::string ending = lower_case(line.profile.extension().string());
@@ -265,7 +278,7 @@ inline Sections read_sections(const std::filesystem::path& path, Profile::Use us
 namespace rollbem {
 
 ROLLBEM_DECL ProfileFile read_profile(const std::filesystem::path& path, Profile::Use use,
-                                      const ProfileFileOptions& options) {
+                                      const ProfileFile::Options& options) {
     detail::require_positive("read_profile", "per_metre", options.per_metre);
     detail::require_not_negative("read_profile", "smooth", options.smooth);
     detail::require_finite("read_profile", "tape_offset", options.tape_offset);
@@ -305,7 +318,7 @@ inline void require_profile_file(const std::filesystem::path& name, const char* 
     throw std::invalid_argument(name.string() + ": must be " + standards + " or a file that can be read");
 }
 
-inline void require_no_changes(const std::filesystem::path& name, const ProfileFileOptions& options) {
+inline void require_no_changes(const std::filesystem::path& name, const ProfileFile::Options& options) {
     if (!options.mirror_y && !options.mirror_z && !(options.smooth > 0)) return;
     throw std::invalid_argument(name.string() + ": a standard profile must be neither mirrored nor smoothed");
 }
@@ -314,8 +327,8 @@ inline void require_no_changes(const std::filesystem::path& name, const ProfileF
 
 namespace rollbem {
 
-ROLLBEM_DECL WheelFile open_wheel(const std::filesystem::path& name, const ProfileFileOptions& options,
-                                  bool any_shape) {
+ROLLBEM_DECL ProfileFile::Wheel open_wheel(const std::filesystem::path& name, const ProfileFile::Options& options,
+                                           bool any_shape) {
     if (is_standard_profile(name, Profile::Use::wheel)) {
         detail::require_no_changes(name, options);
         return {s1002(), {}};
@@ -326,8 +339,8 @@ ROLLBEM_DECL WheelFile open_wheel(const std::filesystem::path& name, const Profi
             std::move(file.doubts)};
 }
 
-ROLLBEM_DECL RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options,
-                                const RailPlacing& placing, bool any_shape) {
+ROLLBEM_DECL ProfileFile::Rail open_rail(const std::filesystem::path& name, const ProfileFile::Options& options,
+                                         const ProfileFile::Placing& placing, bool any_shape) {
     const double cant = placing.cant.value_or(detail::usual_cant), radius = placing.roller_radius;
     detail::require_finite("open_rail", "cant", cant);
     detail::require_not_negative("open_rail", "roller_radius", radius);

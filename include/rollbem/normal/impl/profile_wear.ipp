@@ -37,7 +37,9 @@ public:
             for (std::size_t part = 0; part < parts.size(); ++part) {
                 if (p.y < parts[part][0] || p.y > parts[part][1]) continue;
                 const double size = std::hypot(p.slope[0], p.slope[1]);
-                samples_.push_back({{p.y, p.z}, {-p.slope[1] / size, p.slope[0] / size}, part});
+                const double share = (p.y - parts[part][0]) / (parts[part][1] - parts[part][0]);
+                const auto place = std::size_t((std::min)(share, 0.999) * places_of_part);
+                samples_.push_back({{p.y, p.z}, {-p.slope[1] / size, p.slope[0] / size}, part, place});
                 break;
             }
         }
@@ -48,11 +50,12 @@ public:
         Alignment motion{0, dy, dz, 0, 0};
         double bound = 1e-3;  // below it squares count, above it distances
         for (int k = 0; k < 40; ++k, bound = (std::max)(bound / 2, 1e-8)) {
-            step(motion, [&](double r) { return 1 / (std::max)(std::abs(r), bound); });
+            step(motion, [&](const Sample&, double r) { return 1 / (std::max)(std::abs(r), bound); });
         }
+        motion = by_places(motion);
         for (int k = 0; k < 20; ++k) {
             const double scale = (std::max)(4.685 * deviation(motion), 1e-6);
-            step(motion, [&](double r) { return biweight(r / scale); });
+            step(motion, [&](const Sample&, double r) { return biweight(r / scale); });
         }
         const double scale = (std::max)(4.685 * deviation(motion), 1e-6);
         double squares = 0, weights = 0, counted = 0;
@@ -67,10 +70,10 @@ public:
         return motion;
     }
 
-    /// The sum of distances, those of points without a counterpart and beyond 1 mm as 1 mm.
+    /// The sum of distances, those of points without a counterpart and beyond 0.1 mm as 0.1 mm.
     double cost(const Alignment& motion) const {
         double sum = 0;
-        for (const double r : residuals(motion)) sum += std::isnan(r) ? 1e-3 : (std::min)(std::abs(r), 1e-3);
+        for (const double r : residuals(motion)) sum += std::isnan(r) ? 1e-4 : (std::min)(std::abs(r), 1e-4);
         return sum;
     }
 
@@ -100,8 +103,37 @@ public:
 private:
     struct Sample {
         std::array<double, 2> at, normal;
-        std::size_t part;
+        std::size_t part, place;
     };
+    static constexpr std::size_t places_of_part = 5;
+
+    /// The best of motions that two places, or three with an angle, fix alone: those of a majority that is worn
+    /// unevenly agree with nothing else.
+    Alignment by_places(const Alignment& start) const {
+        Alignment best = start;
+        double least = cost(best);
+        const std::size_t places = parts_ * places_of_part;
+        const auto try_places = [&](std::size_t a, std::size_t b, std::size_t c) {
+            Alignment motion = start;
+            for (int k = 0; k < 3; ++k) {
+                step(motion, [&](const Sample& sample, double) {
+                    const std::size_t own = sample.part * places_of_part + sample.place;
+                    return own == a || own == b || own == c ? 1.0 : 0.0;
+                });
+            }
+            const double own = cost(motion);
+            if (!(own < least)) return;
+            least = own;
+            best = motion;
+        };
+        for (std::size_t a = 0; a < places; ++a) {
+            for (std::size_t b = a + 1; b < places; ++b) {
+                if (unknowns_ == 2) try_places(a, b, b);
+                for (std::size_t c = b + 1; unknowns_ == 3 && c < places; ++c) try_places(a, b, c);
+            }
+        }
+        return best;
+    }
     static constexpr double arm = 0.05;  // of angles [m]
 
     static double biweight(double r) { return std::abs(r) < 1 ? (1 - r * r) * (1 - r * r) : 0; }
@@ -114,7 +146,7 @@ private:
     std::vector<double> residuals(const Alignment& motion) const {
         const double c = std::cos(motion.angle), s = std::sin(motion.angle);
         std::vector<double> found;
-        for (const auto& [at, normal, part] : samples_) {
+        for (const auto& [at, normal, part, place] : samples_) {
             const double y = at[0] - motion.dy, z = at[1] - motion.dz;
             const double foot = foot_of(profile_, c * y + s * z, c * z - s * y);
             const Profile::Point p = profile_.at(foot);
@@ -125,21 +157,19 @@ private:
         return found;
     }
 
-    /// The standard deviation that the least three tenths of the distances show, with an angle the least half: what is
-    /// worn lies beyond.
+    /// The standard deviation that the least three tenths of the distances show: what is worn lies beyond.
     double deviation(const Alignment& motion) const {
         std::vector<double> sizes;
         for (const double r : residuals(motion)) {
             if (!std::isnan(r)) sizes.push_back(std::abs(r));
         }
         if (sizes.empty()) return 0;
-        const bool turns = unknowns_ > 2;
-        const auto least = sizes.begin() + std::ptrdiff_t(sizes.size() * (turns ? 5 : 3) / 10);
+        const auto least = sizes.begin() + std::ptrdiff_t(sizes.size() * 3 / 10);
         std::nth_element(sizes.begin(), least, sizes.end());
-        return *least / (turns ? 0.6745 : 0.3853);
+        return *least / 0.3853;
     }
 
-    /// A step of weighted least squares.
+    /// A step of least squares with weights of the samples and their distances.
     template <class Weight>
     void step(Alignment& motion, const Weight& weight) const {
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -148,8 +178,8 @@ private:
         for (std::size_t i = 0; i < samples_.size(); ++i) {
             if (std::isnan(found[i])) continue;
             const Eigen::Vector3d row = row_of(samples_[i]);
-            normal += weight(found[i]) * row * row.transpose();
-            right -= weight(found[i]) * found[i] * row;
+            normal += weight(samples_[i], found[i]) * row * row.transpose();
+            right -= weight(samples_[i], found[i]) * found[i] * row;
         }
         Eigen::Vector3d by = Eigen::Vector3d::Zero();
         by.head(unknowns_) =
@@ -424,13 +454,13 @@ ROLLBEM_DECL Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& 
     return after;
 }
 
-ROLLBEM_DECL Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length,
-                                   const Eigen::ArrayXd& D) {
+ROLLBEM_DECL Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, double reach) {
+    detail::require_positive("spread", "reach", reach);
     const Eigen::Index n = profile.size();
     const Eigen::ArrayXd lengths = lengths_at_points(profile);
     Eigen::ArrayXd diagonal = lengths, beside = Eigen::ArrayXd::Zero(n), found = area_per_length * lengths;
     for (Eigen::Index i = 0; i + 1 < n; ++i) {
-        beside[i] = (D[i] + D[i + 1]) / 2 / (profile.s()[i + 1] - profile.s()[i]);
+        beside[i] = reach * reach / (profile.s()[i + 1] - profile.s()[i]);
         diagonal[i] += beside[i];
         diagonal[i + 1] += beside[i];
     }

@@ -14,7 +14,7 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL Sections::Sections(std::vector<Section> sections, Interpolation interpolation)
+ROLLBEM_DECL Sections::Sections(std::vector<Sections::Section> sections, Interpolation interpolation)
     : sections_(std::move(sections)), interpolation_(interpolation) {
     detail::require(sections_.size() >= 2, "Sections", "number of sections", sections_.size(), "be at least 2");
     for (std::size_t k = 0; k < sections_.size(); ++k) check(k);
@@ -31,12 +31,12 @@ ROLLBEM_DECL auto Sections::at(std::size_t part, double s, double u) const noexc
 
 ROLLBEM_DECL Sections Sections::moved(double angle, double dy, double dz) const {
     Sections result = *this;
-    for (Section& section : result.sections_) section.profile = section.profile.moved(angle, dy, dz);
+    for (Sections::Section& section : result.sections_) section.profile = section.profile.moved(angle, dy, dz);
     return result;
 }
 
 ROLLBEM_DECL void Sections::check(std::size_t k) const {
-    const Section& section = sections_[k];
+    const Sections::Section& section = sections_[k];
     const std::string of = " of section " + std::to_string(k + 1);
     const auto named = [&](const char* quantity) { return quantity + of; };
     detail::require_finite("Sections", named("u").c_str(), section.u);
@@ -63,7 +63,7 @@ ROLLBEM_DECL void Sections::add_part(std::size_t number) {
     Part part;
     double sum = 0;
     std::size_t count = 0;
-    for (const Section& section : sections_) {
+    for (const Sections::Section& section : sections_) {
         const bool whole = section.features.empty();
         const double end = section.profile.length(), from = whole ? 0 : section.features[number],
                      to = whole ? end : (std::min)(section.features[number + 1], end);
@@ -92,7 +92,7 @@ ROLLBEM_DECL void Sections::add_part(std::size_t number) {
 
 ROLLBEM_DECL std::size_t Sections::interval(double u) const noexcept {
     const auto after = std::upper_bound(sections_.begin() + 1, sections_.end() - 1, u,
-                                        [](double at, const Section& section) { return at < section.u; });
+                                        [](double at, const Sections::Section& section) { return at < section.u; });
     return static_cast<std::size_t>(after - sections_.begin()) - 1;
 }
 
@@ -213,7 +213,7 @@ ROLLBEM_DECL auto Sections::value(const Part& part, std::size_t k, double s, dou
 
 ROLLBEM_DECL double Sections::extreme(double sign) const {
     double most = -std::numeric_limits<double>::infinity();
-    for (const Section& section : sections_) most = (std::max)(most, (sign * section.profile.z()).maxCoeff());
+    for (const Sections::Section& section : sections_) most = (std::max)(most, (sign * section.profile.z()).maxCoeff());
     return sign * most;
 }
 
@@ -224,7 +224,7 @@ ROLLBEM_DECL RailSurface RailSurface::roller(Profile profile, double radius) {
     return rail;
 }
 
-ROLLBEM_DECL auto RailSurface::at(double s, double x) const noexcept -> CurvePoint {
+ROLLBEM_DECL auto RailSurface::at(double s, double x) const noexcept -> RailSurface::Point {
     if (const auto* sections = std::get_if<Sections>(&curve_)) {
         const Sections::Point p = sections->at(s, x);
         return {p.y, p.z, p.by_s, sections->reaches(s, x)};
@@ -248,14 +248,14 @@ ROLLBEM_DECL auto WheelSurface::at(double s, double angle) const noexcept -> Poi
     return {p.y, p.z, p.by_s, p.by_u};
 }
 
-ROLLBEM_DECL auto PlacedWheel::silhouette(double s) const -> Place {
+ROLLBEM_DECL auto WheelSurface::Placed::silhouette(double s) const -> Place {
     const Profile::Point p = surface_->profile().at(s);
     const double across = sin_yaw_ * p.slope[1], sine = across == 0 ? 0 : -across / (cos_yaw_ * p.slope[0]);
     if (!(std::abs(sine) <= steepest) || !(p.slope[0] > 0 || across == 0)) return {0, 0, 0, false};
     return place(p.y, p.z, sine);
 }
 
-ROLLBEM_DECL auto PlacedWheel::unplaced(double s, double x) const -> std::optional<WheelSurface::Point> {
+ROLLBEM_DECL auto WheelSurface::Placed::unplaced(double s, double x) const -> std::optional<WheelSurface::Point> {
     if (surface_->is_round()) return surface_->at(s, 0);
     double sine = x / radius_;
     WheelSurface::Point p{};
@@ -269,19 +269,19 @@ ROLLBEM_DECL auto PlacedWheel::unplaced(double s, double x) const -> std::option
     return p;
 }
 
-ROLLBEM_DECL auto PlacedWheel::section(double s, double x) const -> CurvePoint {
+ROLLBEM_DECL auto WheelSurface::Placed::section(double s, double x) const -> RailSurface::Point {
     const auto p = unplaced(s, x);
-    return p ? section_of(*p, x) : CurvePoint{0, 0, {0, 0}, false};
+    return p ? section_of(*p, x) : RailSurface::Point{0, 0, {0, 0}, false};
 }
 
-ROLLBEM_DECL auto PlacedWheel::place(double y, double z, double sine) const -> Place {
+ROLLBEM_DECL auto WheelSurface::Placed::place(double y, double z, double sine) const -> Place {
     const double eta = origin_ + y, r = radius_ + z, cosine = std::sqrt((std::max)(1 - sine * sine, 0.0));
     const double across = sin_yaw_ * r * sine + cos_yaw_ * eta;
     return {cos_yaw_ * r * sine - sin_yaw_ * eta, lateral_ + cos_roll_ * across - sin_roll_ * r * cosine,
             -radius_ + sin_roll_ * across + cos_roll_ * r * cosine, true};
 }
 
-ROLLBEM_DECL auto PlacedWheel::section_of(const WheelSurface::Point& p, double x) const -> CurvePoint {
+ROLLBEM_DECL auto WheelSurface::Placed::section_of(const WheelSurface::Point& p, double x) const -> RailSurface::Point {
     const double sine = sine_of(p, x), r = radius_ + p.z;
     if (!(std::abs(sine) <= steepest)) return {0, 0, {0, 0}, false};
     const double cosine = std::sqrt(1 - sine * sine);

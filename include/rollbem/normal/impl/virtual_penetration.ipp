@@ -22,7 +22,7 @@ namespace rollbem::detail {
 /// A contact in a plane from its depths in rows at first + j step along s. Rows low to high, which have neighbours, are
 /// all deeper than `sunk`. Only `y`, `z` and `angle` are left open; y is s of the deepest row.
 inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, double step, Eigen::Index low,
-                                    Eigen::Index high, double sunk, const VirtualContact& contact) {
+                                    Eigen::Index high, double sunk, const VirtualPenetration::Parameters& contact) {
     static const QuadratureRule<double> rule = gauss_legendre<double>(24);
     VirtualPenetration found;
     Eigen::Index deepest = 0;
@@ -68,7 +68,7 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
 /// All contacts of a plane, from depths in rows; a depth is not finite where it is not known. Each stretch deeper
 /// than 0 has contacts of its own.
 inline std::vector<VirtualPenetration> penetrations(const Eigen::ArrayXd& depth, double first, double step,
-                                                    const VirtualContact& contact) {
+                                                    const VirtualPenetration::Parameters& contact) {
     std::vector<VirtualPenetration> found;
     const auto end_of_deeper = [&](Eigen::Index j, double than) {
         while (j < depth.size() && is_finite(depth[j]) && depth[j] > than) ++j;
@@ -98,7 +98,7 @@ inline std::vector<VirtualPenetration> penetrations(const Eigen::ArrayXd& depth,
 namespace rollbem {
 
 ROLLBEM_DECL std::vector<VirtualPenetration> virtual_penetration(const Eigen::ArrayXd& depth, double step,
-                                                                 const VirtualContact& contact) {
+                                                                 const VirtualPenetration::Parameters& contact) {
     constexpr const char* who = "virtual_penetration";
     detail::require(depth.size() >= 3, who, "number of rows", depth.size(), "be at least 3");
     detail::require_positive(who, "step", step);
@@ -112,7 +112,7 @@ ROLLBEM_DECL std::vector<VirtualPenetration> virtual_penetration(const WheelOnRa
                                                                  const WheelsetPosition& position, double share) {
     constexpr const char* who = "virtual_penetration";
     constexpr Eigen::Index rows = 200;
-    const ContactGeometry& geometry = wheel.geometry();
+    const WheelOnRail::Geometry& geometry = wheel.geometry();
     detail::require(geometry.is_plain(), who, "sections of wheel and rail", "several",
                     "be one: a round wheel on a straight rail");
     detail::require(share > 0 && share <= 1, who, "share", share, "lie in (0, 1]");
@@ -123,7 +123,7 @@ ROLLBEM_DECL std::vector<VirtualPenetration> virtual_penetration(const WheelOnRa
     const std::vector<detail::Region> regions = search.regions(position.height);
     if (search.is_too_deep()) return {{.status = Status::too_deep}};
     std::vector<VirtualPenetration> all;
-    const PlacedWheel placed = geometry.placed(position);
+    const WheelSurface::Placed placed = geometry.placed(position);
     detail::GapFinder finder;
     detail::Gaps gaps;
     for (const detail::Region& region : regions) {

@@ -59,7 +59,7 @@ inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackD
 
 namespace rollbem {
 
-ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
+ROLLBEM_DECL WheelOnRail::Geometry::Geometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
     : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
     constexpr const char* who = "WheelOnRail";
     const TrackDimensions& d = dimensions_;
@@ -90,8 +90,8 @@ ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface ra
     }
 }
 
-ROLLBEM_DECL auto ContactGeometry::rail_at(double s, double x) const -> CurvePoint {
-    CurvePoint p = rail_.at(s, x);
+ROLLBEM_DECL auto WheelOnRail::Geometry::rail_at(double s, double x) const -> RailSurface::Point {
+    RailSurface::Point p = rail_.at(s, x);
     p.y += origin_.y;
     p.z += origin_.z;
     return p;
@@ -140,7 +140,8 @@ inline void check(const WheelOnRail::Options& options) {
 }
 
 inline ContactSettings settings(const WheelOnRail::Options& options) {
-    return {options.cells_x, options.cells_s, options.tolerance, options.cell_size, options.interaction};
+    return {options.cells_x,   options.cells_s,     options.tolerance,
+            options.cell_size, options.interaction, options.halves_cells};
 }
 
 /// The height at which coarse grids carry the load.
@@ -161,16 +162,24 @@ inline Status approach_load(RegionSolver& solver, double load, double& approach)
     return Status::load_not_reached;
 }
 
+/// The tolerance of pressures by which cells are judged, before these are found on the cells that suffice.
+inline double roughly(double tolerance) { return (std::max)(tolerance, 1e-4); }
+
 /// The height at which fine grids carry the load.
-inline Status settle_height(RegionSolver& solver, double load, bool first, double& approach, double& lower) {
+inline Status settle_height(RegionSolver& solver, double load, double tolerance, bool first, double& approach,
+                            double& lower) {
     // planes rotate with the height: secants on the missing load
     double last = 0, step = 0, rate = -1;
     for (int round = first ? 0 : 1, k = 0; k < 12; ++round, ++k) {
         round = solver.refine(solver.touch() + approach, round, k < 3, k == 0);
-        const std::optional<double> missing = solver.lower_until(load);
+        std::optional<double> missing = solver.lower_until(load, k == 0 ? roughly(tolerance) : tolerance);
+        while (k == 0 && missing && solver.double_cells()) {
+            solver.refine(solver.touch() + approach, 1, false, true);
+            missing = solver.lower_until(load, roughly(tolerance));
+        }
         if (!missing) return Status::load_not_reached;
         lower = *missing;
-        const bool settled = std::abs(lower) < 1e-4 * solver.deepest() && !solver.outgrown();
+        const bool settled = std::abs(lower) < 1e-3 * solver.deepest() && !solver.outgrown();
         if (k > 0) rate = std::clamp((lower - last) / step, -10.0, -0.1);
         last = lower;
         step = settled ? lower : -lower / rate;
@@ -209,15 +218,16 @@ ROLLBEM_DECL auto WheelOnRail::solve_for_load(const WheelsetPosition& position, 
     double approach = workspace.approach_;
     contact.status = detail::approach_load(solver, load, approach);
     if (contact.status != Status::ok) return contact;
-    // finer grids if a patch has too few cells
-    for (Eigen::Index times = 1; times <= 4; times *= 2) {
-        double lower = 0;
-        solver.set_cells(times);
-        contact.status = detail::settle_height(solver, load, times == 1, approach, lower);
-        if (contact.status != Status::ok) return contact;
+    double lower = 0;
+    // again if a patch has got too few cells for an outline
+    for (bool first = true; first || (contact.status == Status::few_cells && solver.double_cells()); first = false) {
+        const Status settled = detail::settle_height(solver, load, options.tolerance, first, approach, lower);
+        if (settled != Status::ok) {
+            contact.status = first ? settled : Status::few_cells;
+            return contact;
+        }
         workspace.approach_ = approach;
         detail::collect(solver, lower, contact);
-        if (contact.status != Status::few_cells) break;
     }
     return contact;
 }
@@ -231,25 +241,31 @@ ROLLBEM_DECL auto WheelOnRail::solve_at_height(const WheelsetPosition& position,
     contact.status = solver.locate(geometry_, position, detail::settings(options));
     if (contact.status != Status::ok) return contact;
     solver.divide(position.height);
-    for (Eigen::Index times = 1; times <= 4; times *= 2) {
-        solver.set_cells(times);
-        solver.refine(position.height, times == 1 ? 0 : 1, true, true);
-        solver.settle(0, options.tolerance, false);
-        for (int k = 0; k < 4 && solver.outgrown(); ++k) {
+    solver.refine(position.height, 0, true, true);
+    solver.settle(0, detail::roughly(options.tolerance), false);
+    for (bool first = true; first || contact.status == Status::few_cells; first = false) {
+        bool doubled = false;
+        while (solver.double_cells()) {
+            doubled = true;
+            solver.refine(position.height, 1, false, true);
+            solver.settle(0, detail::roughly(options.tolerance), true);
+        }
+        if (!first && !doubled) break;
+        solver.settle(0, options.tolerance, true);
+        for (int k = 0; k < 8 && solver.outgrown(); ++k) {
             solver.refine(position.height, 1, true, false);
-            solver.settle(0, options.tolerance, false);
+            solver.settle(0, options.tolerance, true);
         }
         detail::collect(solver, 0, contact);
-        if (contact.status != Status::few_cells) break;
     }
     return contact;
 }
 
-ROLLBEM_DECL RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
-    const ContactGeometry& geometry = wheel.geometry();
+ROLLBEM_DECL WheelOnRail::RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
+    const WheelOnRail::Geometry& geometry = wheel.geometry();
     detail::require(geometry.is_plain(), "rigid_contact", "sections of wheel and rail", "several",
                     "be one: a round wheel on a straight rail");
-    RigidContact contact;
+    WheelOnRail::RigidContact contact;
     const WheelsetPosition used{.lateral = position.lateral, .roll = position.roll, .yaw = position.yaw};
     if (!detail::is_finite(used)) return contact;
     detail::SilhouetteSearch search;

@@ -21,7 +21,7 @@ using CreepageAlong = ByDirections<directions, double, Creepage>;
 template <int directions>
 using ForceAlong = ByDirections<directions, double, TangentialForce>;
 template <int directions>
-using TangentAlong = ByDirections<directions, double, CreepageTangent>;
+using TangentAlong = ByDirections<directions, double, TangentialForce::ByCreepage>;
 
 /// The number of creepages and of forces; with two directions spin and the moment are the third.
 template <int directions>
@@ -61,7 +61,7 @@ Value nothing() {
 
 /// The entry of a step's tangent for the creepage with this index.
 inline double& by_creepage(double& tangent, std::size_t) { return tangent; }
-inline TangentialForce& by_creepage(CreepageTangent& tangent, std::size_t creepage) {
+inline TangentialForce& by_creepage(TangentialForce::ByCreepage& tangent, std::size_t creepage) {
     return creepage == 0 ? tangent.by_longitudinal : creepage == 1 ? tangent.by_lateral : tangent.by_spin;
 }
 

@@ -3,6 +3,7 @@
 
 #include "../patch_contact.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "../../detail/finite.hpp"
@@ -46,6 +47,24 @@ ROLLBEM_DECL double Outline::at(const ArrayX<double>& edge, double y) const {
     const Eigen::Index j = std::upper_bound(inner, inner + y_.size() - 2, y) - y_.data();
     const double part = (y - y_[j - 1]) / (y_[j] - y_[j - 1]);
     return (1 - part) * edge[j - 1] + part * edge[j];
+}
+
+ROLLBEM_DECL SemiAxes::AlongRolling rolling_ellipse(const SemiAxes& turned, double turn) noexcept {
+    const double a = turned.half_length, b = turned.half_width, cosine = std::cos(turn), sine = std::sin(turn);
+    // extents over a and b
+    const double along = std::hypot(cosine, b / a * sine), across = std::hypot(cosine, a / b * sine);
+    const double scale = std::sqrt(along / across);
+    SemiAxes::AlongRolling result{.axes = {a * scale, b / scale}, .by_half_length{}, .by_half_width{}, .by_turn{}};
+    const auto [length, width] = result.axes;
+    // a'^2 = a b e, e the ratio of the extents; derivatives of ln e by ln a (minus the derivative by ln b) and by the
+    // turn
+    const double x = cosine / along, y = sine / across;
+    const double by_log_a = x * x - a / b * y * (a / b * y);
+    const double slope = -(a / b - b / a) * sine * cosine * (b / a / (along * along) + a / b / (across * across));
+    result.by_half_length = {length * (1 + by_log_a) / (2 * a), width * (1 - by_log_a) / (2 * a)};
+    result.by_half_width = {length * (1 - by_log_a) / (2 * b), width * (1 + by_log_a) / (2 * b)};
+    result.by_turn = {length * slope / 2, -width * slope / 2};
+    return result;
 }
 
 }  // namespace rollbem

@@ -21,6 +21,7 @@
 #include "../../elasticity/detail/plane_model.hpp"
 #include "../../status.hpp"
 #include "../../system/detail/contact_fit.hpp"
+#include "../../system/detail/response_parts.hpp"
 #include "../../system/response.hpp"
 #include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
@@ -30,7 +31,7 @@
 namespace rollbem {
 
 template <class Scalar_>
-MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
+MatrixX<Scalar_> Chebyshev::System<Scalar_>::rates() const {
     const Eigen::Index m = this->size();
     MatrixX<Scalar> A(m, m);
     // T_k' = 2k (T_{k-1} + T_{k-3} + ...), where T_0 counts half
@@ -45,7 +46,7 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 }
 
 template <LineKernel Kernel>
-ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
+Chebyshev::System<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     detail::require_stable_model(kernel);
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);

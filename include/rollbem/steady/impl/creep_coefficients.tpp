@@ -19,6 +19,7 @@
 #include "../../scene/creepage.hpp"
 #include "../../scene/patch_contact.hpp"
 #include "../../status.hpp"
+#include "../../system/detail/response_parts.hpp"
 #include "../../types.hpp"
 
 namespace rollbem {

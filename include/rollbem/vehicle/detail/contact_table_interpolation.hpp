@@ -47,7 +47,7 @@ struct ContactTable::Interpolation {
     /// Rows of a point over their means, at the place, under one load of the table; the correction with its odd part.
     struct LoadedRows {
         Eigen::Array<double, sampled_rows, 1> value;
-        Eigen::Array<float, differentiated_rows, 1> by_shift, by_yaw;
+        Eigen::Array<double, differentiated_rows, 1> by_shift, by_yaw;
     };
     Eigen::Index first_node(std::size_t load) const { return table.grid_.node(load, 0, 0); }
 
@@ -79,45 +79,42 @@ struct ContactTable::Interpolation {
         return found;
     }
 
-    /// Weights of one yaw in the sums of sample_rows, for rows and for odd rows.
-    struct Weights {
-        double value;
-        float by_yaw, rise, low, high;
-
-        Weights(const detail::HermiteWeights& along, double value_weight, double yaw_rate)
-            : value(value_weight),
-              by_yaw(float(yaw_rate)),
-              rise(float(value_weight * along.rate[1])),
-              low(float(value_weight * along.rate[2])),
-              high(float(value_weight * along.rate[3])) {}
+    /// Weights of one yaw in the sums of sample_rows.
+    struct YawWeights {
+        double value, rate;
     };
 
-    /// Derivatives in single precision. Without `derivatives` they are left unchanged in `found`.
+    /// Without `derivatives`, the derivatives in `found` are left unchanged.
     template <bool derivatives>
     void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
                      LoadedRows& found) const noexcept {
         using Four = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
         const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3];
         found.value.setZero();
-        if constexpr (derivatives) found.by_shift = found.by_yaw = Eigen::Array<float, differentiated_rows, 1>::Zero();
+        if constexpr (derivatives) {
+            found.by_shift.setZero();
+            found.by_yaw.setZero();
+        }
         for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k) {
             const Eigen::Index node = zone * table.grid_.nodes() + table.grid_.node(load, k, at.shift);
             const float *points = side.points.col(node).data(), *slopes = side.slopes.col(node).data();
-            const double across = at.across.value[k], turning = at.across.rate[k];
-            const Weights even(at.along, across, turning), odd(at.along, at.yaw * across, at.yaw * turning + across);
-            const auto add = [&](int from, int to, const Weights& w, const Eigen::Array4f& share) {
-                const Eigen::Array4f one = Four(points + from), rise = Four(points + packed_rows + from) - one,
-                                     low = Four(slopes + from), high = Four(slopes + packed_rows + from);
+            const YawWeights even{at.across.value[k], at.across.rate[k]},
+                odd{at.yaw * even.value, at.yaw * even.rate + even.value};
+            const auto add = [&](int from, int to, const YawWeights& w, const Eigen::Array4d& rows) {
+                const Eigen::Array4d one = detail::to_double(Four(points + from)),
+                                     rise = detail::to_double(Four(points + packed_rows + from) - Four(points + from)),
+                                     low = detail::to_double(Four(slopes + from)),
+                                     high = detail::to_double(Four(slopes + packed_rows + from));
                 // the first two weights add up to 1
-                const Eigen::Array4d here = detail::to_double(one) + w1 * detail::to_double(rise) +
-                                            w2 * detail::to_double(low) + w3 * detail::to_double(high);
-                found.value.template segment<4>(to) += (w.value * detail::to_double(share)) * here;
+                const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
+                found.value.template segment<4>(to) += (w.value * rows) * here;
                 if constexpr (!derivatives) return;
                 if (to >= differentiated_rows) return;
-                found.by_shift.template segment<4>(to) += share * (w.rise * rise + w.low * low + w.high * high);
-                found.by_yaw.template segment<4>(to) += (w.by_yaw * share) * detail::to_single(here);
+                found.by_shift.template segment<4>(to) +=
+                    (w.value * rows) * (at.along.rate[1] * rise + at.along.rate[2] * low + at.along.rate[3] * high);
+                found.by_yaw.template segment<4>(to) += (w.rate * rows) * here;
             };
-            const Eigen::Array4f all = Eigen::Array4f::Ones(), last(0, 0, 0, 1);
+            const Eigen::Array4d all = Eigen::Array4d::Ones(), last(0, 0, 0, 1);
             for (int i = 0; i < sampled_rows; i += 4) add(i, i, even, all);
             constexpr int apart = ContactRow::correction_by_yaw - ContactRow::correction;
             add(ContactRow::peak, ContactRow::peak - apart, odd, last);

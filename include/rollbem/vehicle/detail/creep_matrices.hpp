@@ -39,7 +39,7 @@ struct StripCreepMatrices {
 inline StripCreepMatrices strip_creep_matrices_of(const PatchMeshes& meshes, std::size_t patch,
                                                   const MatrixX<double>& unknowns, double shear_modulus) {
     const PatchMesh<double>& mesh = meshes.patches[patch];
-    const std::vector<Rectangle<double>> elements = mesh.rectangles(meshes.unit);
+    const std::vector<PatchMesh<double>::Rectangle> elements = mesh.rectangles(meshes.unit);
     const Eigen::Index n = mesh.elements_per_strip(), first = meshes.first(patch), count = unknowns.rows() / 2;
     StripCreepMatrices found;
     for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
@@ -129,11 +129,11 @@ struct ZonePressures {
 
 /// Calls visit(patch, pressure times weight, x, s, slope) for each cell of a zone with pressure.
 template <class Visit>
-void for_cells(const std::vector<PatchCreepMatrices>& patches, const ContactZones& zones, Eigen::Index zone,
+void for_cells(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones, Eigen::Index zone,
                const Visit& visit) {
     for (const PatchCreepMatrices& of : patches) {
         const RailPatch& patch = of.patch;
-        const CellGrid& grid = patch.grid;
+        const NormalContact::Cells& grid = patch.grid;
         for (Eigen::Index j = 0; j < grid.ny; ++j) {
             const double s = grid.y(j), weight = zones.weight(zone, patch.y + s * std::cos(patch.angle));
             if (!(weight > 0)) continue;
@@ -145,7 +145,7 @@ void for_cells(const std::vector<PatchCreepMatrices>& patches, const ContactZone
     }
 }
 
-inline ZonePressures pressures_of(const std::vector<PatchCreepMatrices>& patches, const ContactZones& zones,
+inline ZonePressures pressures_of(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones,
                                   Eigen::Index zone) {
     ZonePressures found;
     double sum = 0;
@@ -184,7 +184,7 @@ inline ZonePressures pressures_of(const std::vector<PatchCreepMatrices>& patches
 /// The creep matrix of a zone at its place, per (xi, eta, phi), with the moment about the place: reversed forces [N, N
 /// m]. Small patches without one are taken to have that of the others; zero if the others carry less than nine
 /// tenths.
-inline Eigen::Matrix3d creep_matrix_of(const std::vector<PatchCreepMatrices>& patches, const ContactZones& zones,
+inline Eigen::Matrix3d creep_matrix_of(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones,
                                        Eigen::Index zone, const ZonePressures& pressed, bool mirrored) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     double carried = 0, known = 0;
@@ -209,11 +209,11 @@ inline Eigen::Matrix3d creep_matrix_of(const std::vector<PatchCreepMatrices>& pa
 
 /// An ellipse's rows of c11, c22, c23, and its creep matrix in the form of creep_matrix_of.
 inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact& contact, double load, const CreepForceTable& creep) {
-    const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
+    const CreepForceTable::Force rest = creep.look_up(contact, 1, load, {0, 0, 0});
     require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
             "be ok");
     Eigen::Matrix3d matrix;
-    const CreepageTangent& t = rest.tangent;
+    const TangentialForce::ByCreepage& t = rest.tangent;
     for (const auto& [column, by] : {std::pair(0, t.by_longitudinal), {1, t.by_lateral}, {2, t.by_spin}}) {
         matrix.col(column) = -Eigen::Vector3d(by.longitudinal, by.lateral, by.moment);
     }
@@ -232,7 +232,7 @@ inline Eigen::Matrix3d dissipating(const Eigen::Matrix3d& matrix) {
 
 /// Rows of a zone from its pressures and creep matrices, without share and arm; `yaw` is the position's yaw, 0 or
 /// positive.
-inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches, const ContactZones& zones,
+inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones,
                                   Eigen::Index zone, const ZonePressures& pressed, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, double yaw) {
     using enum ContactRow::Of;

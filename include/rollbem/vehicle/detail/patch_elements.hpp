@@ -61,7 +61,7 @@ inline PatchMeshes friction_meshes(const std::vector<const RailPatch*>& patches,
                                    const std::vector<PatchElements>& elements, double unit);
 
 /// Mean pressures of a patch on elements [Pa], which together carry its load.
-inline Eigen::ArrayXd pressures_on(const std::vector<Rectangle<double>>& elements, const RailPatch& patch);
+inline Eigen::ArrayXd pressures_on(const std::vector<PatchMesh<double>::Rectangle>& elements, const RailPatch& patch);
 
 }  // namespace rollbem
 
@@ -147,7 +147,7 @@ inline PatchMeshes friction_meshes(const std::vector<const RailPatch*>& patches,
     return meshes;
 }
 
-inline Eigen::ArrayXd pressures_on(const std::vector<Rectangle<double>>& elements, const RailPatch& patch) {
+inline Eigen::ArrayXd pressures_on(const std::vector<PatchMesh<double>::Rectangle>& elements, const RailPatch& patch) {
     Eigen::ArrayXd pressure = pressure_of(patch)(elements);
     double load = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {

@@ -1,4 +1,4 @@
-// Four numbers of single precision as doubles and back, in packets.
+// Four numbers of single precision as doubles, in packets.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -12,11 +12,6 @@ inline Eigen::Array4d to_double(const Eigen::Array4f& single) {
     Eigen::Array4d wide;
     for (Eigen::Index i = 0; i < 4; ++i) wide[i] = static_cast<double>(single[i]);
     return wide;
-}
-inline Eigen::Array4f to_single(const Eigen::Array4d& wide) {
-    Eigen::Array4f single;
-    for (Eigen::Index i = 0; i < 4; ++i) single[i] = static_cast<float>(wide[i]);
-    return single;
 }
 
 }  // namespace rollbem::detail

@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -26,12 +25,12 @@ namespace rollbem::detail {
 class WheelLookUp {
 public:
     /// The look-up writes into `result`, whose numbers must have the values of an empty WheelForces.
-    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction,
+    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const ContactTable::Friction& friction,
                 WheelForces& result)
         : table_(table), creep_(creep), friction_(friction), result_(result) {}
 
     void operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                    const WheelLoad& load, bool tangents) {
+                    const ContactTable::Load& load, bool tangents) {
         tangents_ = tangents;
         result_.status = set_inputs(side, position, speeds, load);
         if (result_.status != Status::ok) return;
@@ -93,7 +92,7 @@ private:
     // --- inputs
 
     Status set_inputs(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                      const WheelLoad& load) {
+                      const ContactTable::Load& load) {
         mirror_ = side == WheelsetSide::left ? -1 : 1;
         side_ = &table_.sides_[table_.index_of(side)];
         has_roll_ = load.roll.has_value();
@@ -190,8 +189,7 @@ private:
     static void multiply_slopes(Zone& of, Eigen::Index row, double factor) {
         if constexpr (has_slopes<Number>) {
             if (row >= ContactTable::Interpolation::differentiated_rows) return;
-            of.by_sum[row] *= factor;
-            for (float* slope : {&of.by_shift[row], &of.by_yaw[row]}) *slope = float(*slope * factor);
+            for (double* slope : {&of.by_shift[row], &of.by_yaw[row], &of.by_sum[row]}) *slope *= factor;
         }
     }
     /// The rows of a zone at a sum of loads. The arm along x is divided by the yaw.
@@ -207,25 +205,25 @@ private:
         using Rows = ContactTable::Interpolation::LoadedRows;
         constexpr int differentiated = ContactTable::Interpolation::differentiated_rows;
         const auto at_load = [&](const auto& weight, const auto& rows) {
-            using Sum = std::decay_t<decltype(rows(of.rows[0]).eval())>;
-            Sum sum = typename Sum::Scalar(weight[weights.first]) * rows(of.rows[weights.first]);
-            for (std::size_t l = weights.first + 1; l < weights.last; ++l)
-                sum += typename Sum::Scalar(weight[l]) * rows(of.rows[l]);
+            auto sum = (weight[weights.first] * rows(of.rows[weights.first])).eval();
+            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * rows(of.rows[l]);
             return sum;
         };
         const auto& means = side_->interpolated_means;
-        of.value = at_load(weights.value, [](const Rows& at) { return at.value; });
+        of.value = at_load(
+            weights.value, [](const Rows& at) -> const auto& { return at.value; });
         of.value += means.template head<ContactTable::Interpolation::sampled_rows>();
         of.value.template segment<9>(correction) += yaw * means.template segment<9>(correction_by_yaw);
         if constexpr (has_slopes<Number>) {
             of.by_sum = at_load(weights.rate, [](const Rows& at) { return at.value.template head<differentiated>(); }) /
                         (3 * root * root);
-            of.by_shift = at_load(weights.value, [](const Rows& at) { return at.by_shift; });
-            of.by_yaw = at_load(weights.value, [](const Rows& at) { return at.by_yaw; });
-            of.by_yaw.template segment<9>(correction) +=
-                means.template segment<9>(correction_by_yaw).template cast<float>();
+            of.by_shift = at_load(
+                weights.value, [](const Rows& at) -> const auto& { return at.by_shift; });
+            of.by_yaw = at_load(
+                weights.value, [](const Rows& at) -> const auto& { return at.by_yaw; });
+            of.by_yaw.template segment<9>(correction) += means.template segment<9>(correction_by_yaw);
             multiply_slopes<Number>(of, arm_x, yaw);
-            of.by_yaw[arm_x] += float(of.value[arm_x]);
+            of.by_yaw[arm_x] += of.value[arm_x];
         }
         of.value[arm_x] *= yaw;
         constexpr auto& positive = ContactRow::positive;
@@ -244,8 +242,7 @@ private:
     template <class Number>
     static Number number(const Zone& of, Eigen::Index row) {
         if constexpr (has_slopes<Number>) {
-            return {of.value[row],
-                    Eigen::Vector4d(double(of.by_shift[row]), double(of.by_yaw[row]), of.by_sum[row], 0)};
+            return {of.value[row], Eigen::Vector4d(of.by_shift[row], of.by_yaw[row], of.by_sum[row], 0)};
         } else {
             return of.value[row];
         }
@@ -314,7 +311,7 @@ private:
         bool does_not_roll = false;
         Number roll;                // of the wheelset
         SineCosine<double> rolled;  // sine and cosine of the roll
-        std::array<ZoneContact<Number>, ContactZones::most> contacts;
+        std::array<ZoneContact<Number>, ContactTable::Zones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
@@ -396,7 +393,7 @@ private:
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
         const Creepage creepage{own[0].value(), own[1].value(), own[2].value()};
         const PatchContact contact(ellipse(found.half_length.value(), found.half_width.value()));
-        TabulatedForce now;
+        CreepForceTable::Force now;
         Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
         const auto column = [](const TangentialForce& of) {
             return Eigen::Vector3d(of.longitudinal, of.lateral, of.moment);
@@ -550,7 +547,7 @@ private:
         pass.roll = roll<Number>(weights, root);
         pass.rolled = sine_cosine(value_of(pass.roll));
         const auto count = std::size_t(side_->given.zones.count());
-        std::array<Number, ContactZones::most> shares;
+        std::array<Number, ContactTable::Zones::most> shares;
         Number total = constant<Number>(0);
         const bool one_carries = carry_count() == 1;
         for (std::size_t k = 0; k < count; ++k) {
@@ -684,7 +681,7 @@ private:
     const ContactTable& table_;
     const ContactTable::Interpolation nodes_{table_};
     const CreepForceTable& creep_;
-    const WheelFriction& friction_;
+    const ContactTable::Friction& friction_;
     const ContactTable::Stored* side_ = nullptr;
     WheelForces& result_;
     std::array<double, WheelForces::inputs> inputs_{};
@@ -698,7 +695,7 @@ private:
     ContactTable::Interpolation::Cell cell_{0, 0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
-    std::array<Zone, ContactZones::most> zones_;
+    std::array<Zone, ContactTable::Zones::most> zones_;
 };
 
 }  // namespace rollbem::detail

@@ -57,7 +57,7 @@ struct NodeFriction {
         for (const Strip& strip : strips) all += strip.force;
         return all;
     }
-    RollingForces in_zone(const ContactZones& zones, Eigen::Index zone) const {
+    RollingForces in_zone(const ContactTable::Zones& zones, Eigen::Index zone) const {
         RollingForces all = RollingForces::Zero();
         for (const Strip& strip : strips) all += zones.weight(zone, strip.y) * strip.force;
         return all;
@@ -129,7 +129,7 @@ inline std::vector<NodeFriction> friction_of(const WheelNode& node, const TrackD
 }
 
 /// Rows of all zones; zones that carry nothing have a share of 0.
-inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactZones& zones,
+inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactTable::Zones& zones,
                                                  const TrackDimensions& dimensions, const CreepForceTable& creep) {
     using enum ContactRow::Of;
     std::vector<ContactRow::Values> found;
@@ -200,7 +200,7 @@ inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& poin
 
 /// Fits the row `bend` of the zones of a node to friction on its patches: three steps of Gauss and Newton. Errors of a
 /// zone count over its own mu N, the bend over what small shares must not exceed.
-inline void fit_bends(std::vector<ContactRow::Values>& points, const ContactZones& zones, const WheelNode& node,
+inline void fit_bends(std::vector<ContactRow::Values>& points, const ContactTable::Zones& zones, const WheelNode& node,
                       const std::vector<NodeFriction>& motions, const TrackDimensions& dimensions,
                       const CreepForceTable& creep) {
     using enum ContactRow::Of;

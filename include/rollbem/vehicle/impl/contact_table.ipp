@@ -18,8 +18,8 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL ContactZones::ContactZones(std::vector<Cut> cuts) : cuts_(std::move(cuts)) {
-    constexpr const char* name = "ContactZones";
+ROLLBEM_DECL ContactTable::Zones::Zones(std::vector<Cut> cuts) : cuts_(std::move(cuts)) {
+    constexpr const char* name = "ContactTable::Zones";
     detail::require(count() <= most, name, "number of zones", count(), "be at most 4");
     for (std::size_t k = 0; k < cuts_.size(); ++k) {
         detail::require_finite(name, "y of a cut", cuts_[k].y);
@@ -30,13 +30,13 @@ ROLLBEM_DECL ContactZones::ContactZones(std::vector<Cut> cuts) : cuts_(std::move
     }
 }
 
-ROLLBEM_DECL double ContactZones::weight(Eigen::Index zone, double y) const {
+ROLLBEM_DECL double ContactTable::Zones::weight(Eigen::Index zone, double y) const {
     const auto k = static_cast<std::size_t>(zone);
     const double from = k > 0 ? beyond(cuts_[k - 1], y) : 1, to = k < cuts_.size() ? beyond(cuts_[k], y) : 0;
     return (std::max)(from - to, 0.0);
 }
 
-ROLLBEM_DECL double ContactZones::beyond(const Cut& cut, double y) {
+ROLLBEM_DECL double ContactTable::Zones::beyond(const Cut& cut, double y) {
     const double t = ((y - cut.y) / cut.half_width + 1) / 2;
     if (t <= 0) return 0;
     return t < 1 ? t * t * t * (10 + t * (6 * t - 15)) : 1;
@@ -300,7 +300,7 @@ ROLLBEM_DECL void ContactTable::write(std::ostream& stream) const {
         const Side& given = side.given;
         writer.integer(static_cast<std::uint32_t>(given.zones.cuts().size()));
         writer.number(given.radius);
-        for (const ContactZones::Cut& cut : given.zones.cuts()) {
+        for (const ContactTable::Zones::Cut& cut : given.zones.cuts()) {
             writer.number(cut.y);
             writer.number(cut.half_width);
         }
@@ -360,14 +360,14 @@ inline ContactTable::Side read_side(CheckedReader& reader, const ContactTable::G
                                     const std::vector<Eigen::Index>& rows) {
     ContactTable::Side side;
     const auto cut_count = reader.integer<std::uint32_t>();
-    require(cut_count < ContactZones::most, "ContactTable", "number of cuts", cut_count, "be at most 3");
-    std::vector<ContactZones::Cut> cuts(cut_count);
+    require(cut_count < ContactTable::Zones::most, "ContactTable", "number of cuts", cut_count, "be at most 3");
+    std::vector<ContactTable::Zones::Cut> cuts(cut_count);
     side.radius = reader.number();
-    for (ContactZones::Cut& cut : cuts) {
+    for (ContactTable::Zones::Cut& cut : cuts) {
         cut.y = reader.number();
         cut.half_width = reader.number();
     }
-    side.zones = ContactZones(std::move(cuts));
+    side.zones = ContactTable::Zones(std::move(cuts));
     ContactRow::Values means = ContactRow::Values::Zero();
     for (const Eigen::Index row : rows) means[row] = reader.number();
     side.on_rails.resize(2, grid.nodes());
@@ -423,7 +423,8 @@ ROLLBEM_DECL ContactTable ContactTable::read(const std::filesystem::path& path) 
 
 ROLLBEM_DECL WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
                                                const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                                               const WheelLoad& load, const WheelFriction& friction) const noexcept {
+                                               const ContactTable::Load& load,
+                                               const ContactTable::Friction& friction) const noexcept {
     WheelForces result;
     detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, true);
     return result;
@@ -431,7 +432,8 @@ ROLLBEM_DECL WheelForces ContactTable::look_up(const CreepForceTable& creep, Whe
 
 ROLLBEM_DECL WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side,
                                               const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                                              const WheelLoad& load, const WheelFriction& friction) const noexcept {
+                                              const ContactTable::Load& load,
+                                              const ContactTable::Friction& friction) const noexcept {
     WheelForces result;
     detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, false);
     return result;

@@ -481,9 +481,9 @@ struct CreepForceTable::Splines {
         return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
     }
 
-    TabulatedForce look_up(const PatchContact& contact, double friction_coefficient, double load,
-                           const Creepage& creepage) const noexcept {
-        TabulatedForce result;
+    CreepForceTable::Force look_up(const PatchContact& contact, double friction_coefficient, double load,
+                                   const Creepage& creepage) const noexcept {
+        CreepForceTable::Force result;
         const auto ended = [&](Status status) {
             result.status = status;
             return result;
@@ -573,7 +573,7 @@ struct CreepForceTable::Splines {
         result.tangent_by_friction_coefficient = in_si(load * by_bound);
         result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
         result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
-        return detail::is_finite(result) ? ended(Status::ok) : TabulatedForce{};
+        return detail::is_finite(result) ? ended(Status::ok) : CreepForceTable::Force{};
     }
 
     /// Fills at_rest_ from the coefficients of the splines.
@@ -644,8 +644,8 @@ ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact& cont
     return Splines{*this}.saturation_parameter(contact, creepage);
 }
 
-ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact& contact, double friction_coefficient,
-                                                     double load, const Creepage& creepage) const noexcept {
+ROLLBEM_DECL CreepForceTable::Force CreepForceTable::look_up(const PatchContact& contact, double friction_coefficient,
+                                                             double load, const Creepage& creepage) const noexcept {
     return Splines{*this}.look_up(contact, friction_coefficient, load, creepage);
 }
 
@@ -724,8 +724,8 @@ ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const P
     const double arm = std::hypot(a, b) / std::sqrt(5.0), slip = std::hypot(xi, eta, arm * phi);
     const double left = (1 - p_.friction_ratio) * std::exp(-p_.fall * speed * slip);
     const double part = left + p_.friction_ratio, mu = mu_0 * part;
-    const TabulatedForce clean = table.look_up(contact, mu, load, creepage);
-    static_cast<TabulatedForce&>(result) = clean;
+    const CreepForceTable::Force clean = table.look_up(contact, mu, load, creepage);
+    static_cast<CreepForceTable::Force&>(result) = clean;
     if (clean.status != Status::ok) return result;
     result.friction_coefficient = mu;
 

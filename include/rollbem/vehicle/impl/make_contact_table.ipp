@@ -36,7 +36,8 @@ namespace rollbem::detail {
 /// Contacts of both wheels along one line of shifts.
 class ContactLine {
 public:
-    ContactLine(const WheelsetOnTrack& track, const ContactTableOptions& options) : track_(track), options_(options) {}
+    ContactLine(const WheelsetOnTrack& track, const ContactTableMaker::Options& options)
+        : track_(track), options_(options) {}
 
     template <class Nodes>
     void solve(std::size_t line, Nodes& nodes) const {
@@ -88,7 +89,7 @@ private:
     }
 
     const WheelsetOnTrack& track_;
-    const ContactTableOptions& options_;
+    const ContactTableMaker::Options& options_;
 };
 
 /// A node by which zones are found.
@@ -111,11 +112,11 @@ public:
         }
     }
 
-    ContactZones find() const {
-        ContactZones best;
+    ContactTable::Zones find() const {
+        ContactTable::Zones best;
         double least = cost(best);
-        while (best.count() < ContactZones::most) {
-            const std::vector<ContactZones> others = candidates(best);
+        while (best.count() < ContactTable::Zones::most) {
+            const std::vector<ContactTable::Zones> others = candidates(best);
             std::vector<double> costs(others.size());
             parallel_for(others.size(), jobs_, [&](std::size_t i) { costs[i] = cost(others[i]); });
             const auto lowest = std::min_element(costs.begin(), costs.end());
@@ -128,7 +129,7 @@ public:
 
     /// The mean of errors over mu Q, which gives the largest errors most weight, and what a table has besides, times the
     /// time of a look-up in units of a further point's.
-    double cost(const ContactZones& zones) const {
+    double cost(const ContactTable::Zones& zones) const {
         constexpr double other_errors = 2e-3, time_without_points = 0.5;
         double sum = 0;
         std::size_t points = 0, count = 0;
@@ -157,7 +158,7 @@ private:
         std::vector<RollingForces> friction;
     };
 
-    std::vector<ContactZones> candidates(const ContactZones& from) const {
+    std::vector<ContactTable::Zones> candidates(const ContactTable::Zones& from) const {
         constexpr double step = 1e-3;
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const Judged& one : judged_) {
@@ -166,11 +167,11 @@ private:
                 high = (std::max)(high, of.patch.y + of.patch.half_width);
             }
         }
-        std::vector<ContactZones> found;
+        std::vector<ContactTable::Zones> found;
         for (double y = step * std::ceil(low / step); y < high; y += step) {
             for (const double half_width : {2e-3, 4e-3}) {
-                std::vector<ContactZones::Cut> cuts = from.cuts();
-                const ContactZones::Cut own{y, half_width};
+                std::vector<ContactTable::Zones::Cut> cuts = from.cuts();
+                const ContactTable::Zones::Cut own{y, half_width};
                 const auto place = std::find_if(cuts.begin(), cuts.end(), [&](const auto& cut) { return cut.y > y; });
                 const auto apart = [&](const auto& cut) {
                     return std::abs(cut.y - y) >= (cut.half_width + half_width) * (1 + 1e-9);
@@ -217,10 +218,10 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
 }
 
 /// Number of shifts left out at either end, because a node there, or at two neighbouring shifts, is not known.
-inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<ContactSide>& sides) {
+inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<ContactTableMaker::Side>& sides) {
     const std::size_t count = grid.shifts.size(), middle = count / 2;
     const auto known = [&](std::size_t i) {
-        for (const ContactSide& side : sides) {
+        for (const ContactTableMaker::Side& side : sides) {
             for (std::size_t line = 0; line < side.nodes.size(); line += count) {
                 if (!side.nodes[line + i].known || !side.nodes[line + count - 1 - i].known) return false;
             }
@@ -236,7 +237,7 @@ inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<Co
 }
 
 /// The numbers of one side on a grid without the `out` outermost shifts at either end.
-inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactSide& from, std::size_t out,
+inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactTableMaker::Side& from, std::size_t out,
                                   double radius) {
     const std::size_t all = grid.shifts.size() + 2 * out;
     const Eigen::Index count = grid.nodes(), zones = from.zones.count();
@@ -244,12 +245,12 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactS
                             .zones = from.zones,
                             .on_rails = Eigen::ArrayXXd::Zero(2, count),
                             .points = Eigen::ArrayXXd::Zero(ContactRow::rows, count * zones)};
-    const auto node_at = [&](Eigen::Index at) -> const ContactNode& {
+    const auto node_at = [&](Eigen::Index at) -> const ContactTableMaker::Node& {
         const auto shifts = Eigen::Index(grid.shifts.size());
         return from.nodes[std::size_t(at / shifts) * all + out + std::size_t(at % shifts)];
     };
     for (Eigen::Index at = 0; at < count; ++at) {
-        const ContactNode& node = node_at(at);
+        const ContactTableMaker::Node& node = node_at(at);
         if (!node.known) continue;
         side.on_rails.col(at) << node.support, node.roll;
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
@@ -287,7 +288,7 @@ struct ContactTableMaker::Nodes {
 };
 
 ROLLBEM_DECL ContactTableMaker::ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep,
-                                                  ContactTableOptions options)
+                                                  ContactTableMaker::Options options)
     : track_(track), creep_(creep), options_(std::move(options)), is_solved_(options_.lines(), false) {
     for (const WheelsetSide side : WheelsetOnTrack::sides) {
         detail::require(track.wheel(side).geometry().is_plain(), name, "surface", "changes along the way",
@@ -391,19 +392,20 @@ ROLLBEM_DECL void ContactTableMaker::interpolate_bends(std::size_t side, std::si
     }
 }
 
-ROLLBEM_DECL auto ContactTableMaker::node(std::size_t side, std::size_t line, std::size_t shift) const -> ContactNode {
+ROLLBEM_DECL auto ContactTableMaker::node(std::size_t side, std::size_t line, std::size_t shift) const -> ContactTableMaker::Node {
     const Nodes::Node& own = nodes_.get().of[side][line * options_.grid.shifts.size() + shift];
     if (own.wheel.patches.empty()) return {};
     return {true, own.wheel.support, own.wheel.at.roll, own.zones};
 }
 
-ROLLBEM_DECL auto ContactTableMaker::table(const std::vector<ContactSide>& sides) const -> MadeContactTable {
+ROLLBEM_DECL auto ContactTableMaker::table(const std::vector<ContactTableMaker::Side>& sides) const
+    -> ContactTableMaker::Result {
     ContactTable::Grid grid = options_.grid;
     require_whole(sides);
     std::size_t missing = 0;
-    for (const ContactSide& side : sides) {
-        missing += std::size_t(
-            std::count_if(side.nodes.begin(), side.nodes.end(), [](const ContactNode& node) { return !node.known; }));
+    for (const ContactTableMaker::Side& side : sides) {
+        missing += std::size_t(std::count_if(side.nodes.begin(), side.nodes.end(),
+                                             [](const ContactTableMaker::Node& node) { return !node.known; }));
     }
     const double share = double(missing) / double(grid.nodes() * Eigen::Index(sides.size()));
     const std::size_t out = detail::left_out(grid, sides), all = grid.shifts.size();
@@ -417,13 +419,13 @@ ROLLBEM_DECL auto ContactTableMaker::table(const std::vector<ContactSide>& sides
     return {ContactTable(std::move(grid), material(), std::move(made)), share};
 }
 
-ROLLBEM_DECL void ContactTableMaker::require_whole(const std::vector<ContactSide>& sides) const {
+ROLLBEM_DECL void ContactTableMaker::require_whole(const std::vector<ContactTableMaker::Side>& sides) const {
     detail::require(sides.size() == side_count(), name, "number of sides", sides.size(),
                     "be the number of sides of the wheelset");
-    for (const ContactSide& side : sides) {
+    for (const ContactTableMaker::Side& side : sides) {
         detail::require(Eigen::Index(side.nodes.size()) == options_.grid.nodes(), name, "number of nodes",
                         side.nodes.size(), "be the number of nodes of the grid");
-        for (const ContactNode& node : side.nodes) {
+        for (const ContactTableMaker::Node& node : side.nodes) {
             detail::require(!node.known || Eigen::Index(node.zones.size()) == side.zones.count(), name,
                             "number of rows of a node", node.zones.size(), "be the number of zones");
         }
@@ -441,7 +443,7 @@ ROLLBEM_DECL std::vector<std::size_t> ContactTableMaker::judged_places(std::size
     if (given_zones(side)) return found;
     const std::vector<double>& shifts = options_.grid.shifts;
     const auto& nodes = nodes_.get().of[side];
-    ContactSide known;
+    ContactTableMaker::Side known;
     for (const std::size_t line : judged_lines()) {
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             known.nodes.push_back({.known = !nodes[line * shifts.size() + i].wheel.patches.empty()});
@@ -459,7 +461,7 @@ ROLLBEM_DECL std::vector<std::size_t> ContactTableMaker::judged_places(std::size
     return found;
 }
 
-ROLLBEM_DECL auto ContactTableMaker::zones_of(std::size_t side) -> ContactZones {
+ROLLBEM_DECL auto ContactTableMaker::zones_of(std::size_t side) -> ContactTable::Zones {
     if (given_zones(side)) return *given_zones(side);
     const std::vector<std::size_t> places = judged_places(side);
     detail::parallel_for(places.size(), options_.jobs, [&](std::size_t k) { solve_friction(side, places[k]); });
@@ -471,16 +473,16 @@ ROLLBEM_DECL auto ContactTableMaker::zones_of(std::size_t side) -> ContactZones 
     return detail::ZoneFinder(judged, dimensions(side), creep_, options_.jobs).find();
 }
 
-ROLLBEM_DECL MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
-                                                 const ContactTableOptions& options) {
+ROLLBEM_DECL ContactTableMaker::Result make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
+                                                          const ContactTableMaker::Options& options) {
     ContactTableMaker maker(track, creep, options);
     std::vector<std::size_t> lines(options.lines());
     std::iota(lines.begin(), lines.end(), std::size_t(0));
     maker.solve(lines);
-    std::vector<ContactSide> sides;
+    std::vector<ContactTableMaker::Side> sides;
     const std::size_t shifts = options.grid.shifts.size();
     for (std::size_t k = 0; k < maker.side_count(); ++k) {
-        ContactSide& side = sides.emplace_back(ContactSide{maker.zones(k), {}});
+        ContactTableMaker::Side& side = sides.emplace_back(ContactTableMaker::Side{maker.zones(k), {}});
         side.nodes.resize(lines.size() * shifts);
         for (std::size_t i = 0; i < side.nodes.size(); ++i) side.nodes[i] = maker.node(k, i / shifts, i % shifts);
     }

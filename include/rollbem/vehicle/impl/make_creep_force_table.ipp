@@ -30,7 +30,7 @@ namespace rollbem {
 
 /// The ellipse on one mesh. With a = G = 1 and mu N = G a b, creepages are the given numbers, and a force over mu N
 /// is the force over b.
-struct CreepForceSource::Patch {
+struct CreepForceTable::Source::Patch {
     using Model = FrictionModel;
 
     Patch(const PatchContact& contact, PatchMesh<double> given)
@@ -60,19 +60,19 @@ struct CreepForceSource::Patch {
     Run<Model> run;
 };
 
-ROLLBEM_DECL CreepForceSource::CreepForceSource(double a_over_b, double poisson_ratio, Eigen::Index n)
+ROLLBEM_DECL CreepForceTable::Source::Source(double a_over_b, double poisson_ratio, Eigen::Index n)
     : contact_(PatchContact::dimensionless(a_over_b, poisson_ratio)),
       patch_(std::make_shared<Patch>(contact_, first(n))) {}
 
-ROLLBEM_DECL auto CreepForceSource::mesh() const -> const PatchMesh<double>& { return patch_->mesh; }
+ROLLBEM_DECL auto CreepForceTable::Source::mesh() const -> const PatchMesh<double>& { return patch_->mesh; }
 
-ROLLBEM_DECL auto CreepForceSource::in_adhesion() const -> Response<double> {
+ROLLBEM_DECL auto CreepForceTable::Source::in_adhesion() const -> Response<double> {
     const HalfSpace<double> kernel(contact_.poisson_ratio());
     return contact_.a_over_b() > 10 ? solve_steady(contact_, mesh(), detail::chebyshev_nodes, kernel)
                                     : solve_steady(mesh(), detail::chebyshev_nodes, kernel);
 }
 
-ROLLBEM_DECL auto CreepForceSource::solve(const Creepage& creepage, bool from_rest) -> Solution {
+ROLLBEM_DECL auto CreepForceTable::Source::solve(const Creepage& creepage, bool from_rest) -> Solution {
     Solution solution = patch_->solve(contact_, creepage, from_rest);
     if (from_rest && shifted_) shifted_->run.now() = shifted_->rest;
     const double share = share_of_shifted(creepage);
@@ -90,19 +90,19 @@ ROLLBEM_DECL auto CreepForceSource::solve(const Creepage& creepage, bool from_re
     return solution;
 }
 
-ROLLBEM_DECL auto CreepForceSource::first(Eigen::Index n) const -> PatchMesh<double> {
-    detail::require(n >= 2 && n <= 1000, "CreepForceSource", "n", n, "lie in [2, 1000]");
+ROLLBEM_DECL auto CreepForceTable::Source::first(Eigen::Index n) const -> PatchMesh<double> {
+    detail::require(n >= 2 && n <= 1000, "CreepForceTable::Source", "n", n, "lie in [2, 1000]");
     const double per_strip = std::clamp(std::pow(contact_.a_over_b(), 0.6), 0.25, 2.0), side = static_cast<double>(n);
     const long along = (std::max)(std::lround(side * std::sqrt(per_strip)), 2L);
     const long across = 2 * (std::max)(std::lround(side * side / static_cast<double>(2 * along)), 1L);
     return patch_mesh(contact_, cosine_mesh((std::min)(along, 2 * across)), uniform_mesh(across));
 }
 
-ROLLBEM_DECL auto CreepForceSource::shifted() const -> PatchMesh<double> {
+ROLLBEM_DECL auto CreepForceTable::Source::shifted() const -> PatchMesh<double> {
     return patch_mesh(contact_, cosine_mesh(mesh().elements_per_strip() + 1), uniform_mesh(mesh().strip_count() + 1));
 }
 
-ROLLBEM_DECL double CreepForceSource::share_of_shifted(const Creepage& v) const {
+ROLLBEM_DECL double CreepForceTable::Source::share_of_shifted(const Creepage& v) const {
     // the pole's distance from the middle in units of the semi-axes, times the spin
     const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
                  pole = std::hypot(v.longitudinal * std::sqrt(a_over_b), v.lateral / std::sqrt(a_over_b));
@@ -117,7 +117,7 @@ ROLLBEM_DECL CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& r
     detail::parallel_for(coefficients.size(), jobs, [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
                                                             range.smallest_a_over_b, range.largest_a_over_b);
-        CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
+        CreepForceTable::Source source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
         // under a spin so large that both meshes count
         const Status sliding = source.solve({0, 0, 10}, true).step.status;
@@ -141,7 +141,7 @@ ROLLBEM_DECL CreepForceTable make_creep_force_table(const CreepForceGrid::Range&
         slabs.size(), jobs,
         [&](std::size_t k) {
             const auto [shape, first, last] = slabs[k];
-            CreepForceSource source(grid.a_over_b(shape), range.poisson_ratio, range.n);
+            CreepForceTable::Source source(grid.a_over_b(shape), range.poisson_ratio, range.n);
             for (Eigen::Index node = first; node < last; ++node) {
                 const auto solution = source.solve(grid.creepage(shape, node), grid.begins_line(node));
                 if (solution.step.status != Status::ok) {

@@ -14,7 +14,7 @@
 
 namespace rollbem::detail {
 
-inline void require_mesh(const char* who, const SimplifiedMesh& mesh) {
+inline void require_mesh(const char* who, const SimplifiedTheory::Mesh& mesh) {
     require(mesh.strips >= 3, who, "number of strips", mesh.strips, "be at least 3");
     require(mesh.elements >= 1, who, "number of elements", mesh.elements, "be at least 1");
 }
@@ -24,7 +24,7 @@ inline void require_mesh(const char* who, const SimplifiedMesh& mesh) {
 namespace rollbem {
 
 inline SimplifiedTheory::SimplifiedTheory(const PatchContact& contact, const CreepCoefficients<double>& coefficients,
-                                          double friction_coefficient, double load, const SimplifiedMesh& mesh)
+                                          double friction_coefficient, double load, const SimplifiedTheory::Mesh& mesh)
     : contact_(contact), c_(coefficients), mesh_(mesh), mu_(friction_coefficient) {
     const char* const who = "SimplifiedTheory";
     detail::require(contact.outline() == nullptr, who, "contact", "outline", "be an ellipse");
@@ -72,7 +72,7 @@ inline double SimplifiedTheory::elliptic(double ahead, double behind, double hal
 }
 
 inline double SimplifiedTheory::bound(double ahead, double behind, double half_length) const {
-    if (mesh_.bound == TractionBound::elliptic) return elliptic(ahead, behind, half_length);
+    if (mesh_.bound == SimplifiedTheory::Bound::elliptic) return elliptic(ahead, behind, half_length);
     const double a = contact_.half_length(), mean = (ahead * ahead + ahead * behind + behind * behind) / 3;
     return mu_ * peak_ * 4 / 3 * (half_length * half_length - mean) / (a * a);
 }
@@ -91,7 +91,7 @@ inline auto SimplifiedTheory::stick_zone(const Creepage& at, double y) const -> 
 }
 
 inline void SimplifiedTheory::slide(const Creepage& at, const Flexibility& L, double step, double mu_p,
-                                    SimplifiedElement& element) const {
+                                    SimplifiedTheory::Element& element) const {
     const std::array<double, 2> compliance{L.longitudinal, L.lateral};
     const double x = element.x + step / 2;
     const std::array<double, 2> rate{at.longitudinal / L.longitudinal - at.spin * element.y / L.spin,
@@ -108,7 +108,7 @@ inline void SimplifiedTheory::slide(const Creepage& at, const Flexibility& L, do
 }
 
 inline void SimplifiedTheory::stick_or_slip(const StickZone& zone, const Strip& strip, double ahead,
-                                            SimplifiedElement& element) const {
+                                            SimplifiedTheory::Element& element) const {
     const double behind = 2 * element.x - ahead, p = elliptic(ahead, behind, strip.half_length);
     element.slips = !zone.holds(element.x, strip);
     if (element.slips) {
@@ -122,7 +122,7 @@ inline void SimplifiedTheory::stick_or_slip(const StickZone& zone, const Strip& 
 }
 
 template <class Visitor>
-SimplifiedForce SimplifiedTheory::solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const {
+SimplifiedTheory::Force SimplifiedTheory::solve(const Creepage& creepage, bool by_strips, Visitor&& visit) const {
     if (!is_in_range(creepage)) return {};
     TangentialForce force{0, 0, 0};
     const double turn = std::numbers::pi / mesh_.strips;
@@ -132,8 +132,8 @@ SimplifiedForce SimplifiedTheory::solve(const Creepage& creepage, bool by_strips
         const Strip strip{contact_.half_width() * std::sin(angle), contact_.half_length() * std::cos(angle)};
         const StickZone zone = by_strips ? stick_zone(creepage, strip.y) : StickZone{};
         const double length = 2 * strip.half_length / mesh_.elements;
-        SimplifiedElement by_fastsim{j,  0,  strip.y, length * contact_.half_width() * std::cos(angle) * turn,
-                                     {}, {}, false};
+        SimplifiedTheory::Element by_fastsim{j,  0,  strip.y, length * contact_.half_width() * std::cos(angle) * turn,
+                                             {}, {}, false};
         Flexibility L = flexibility();
         for (int i = 0; i < mesh_.elements; ++i) {
             const double ahead = strip.half_length - i * length, step = i > 0 ? length : length / 2;
@@ -145,7 +145,7 @@ SimplifiedForce SimplifiedTheory::solve(const Creepage& creepage, bool by_strips
                 by_fastsim.traction = {};
                 slide(creepage, L, step, mu_p, by_fastsim);
             }
-            SimplifiedElement element = by_fastsim;
+            SimplifiedTheory::Element element = by_fastsim;
             if (by_strips) stick_or_slip(zone, strip, ahead, element);
             const double f_x = element.area * element.traction[0], f_y = element.area * element.traction[1];
             force = force + TangentialForce{f_x, f_y, element.x * f_y - element.y * f_x};

@@ -42,14 +42,14 @@ ROLLBEM_DECL CreepCoefficients<double> creep_coefficients(const CreepForceTable&
     detail::require(ellipse.outline() == nullptr, who, "contact", "outline", "be an ellipse");
     const std::string rule = "be within 0.01 of the table's, " + detail::to_text(creep.grid().poisson_ratio());
     detail::require(creep.fits(ellipse.poisson_ratio()), who, "poisson_ratio", ellipse.poisson_ratio(), rule.c_str());
-    const CreepageTangent at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
+    const TangentialForce::ByCreepage at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
     const double unit = -ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width();
     return {at_rest.by_longitudinal.longitudinal / unit, at_rest.by_lateral.lateral / unit,
             at_rest.by_spin.lateral / unit / ellipse.c()};
 }
 
 ROLLBEM_DECL PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable& creep, double mu,
-                                      const SimplifiedMesh& mesh) {
+                                      const SimplifiedTheory::Mesh& mesh) {
     detail::require_not_negative("strip_work_of", "friction_coefficient", mu);
     detail::require_mesh("strip_work_of", mesh);
     PatchForce found;
@@ -69,8 +69,8 @@ ROLLBEM_DECL PatchForce strip_work_of(const WheelForces::Point& point, const Cre
         const SimplifiedTheory theory(point.ellipse, coefficients, mu, point.normal_load, mesh);
         // particles enter FASTSIM's ellipse at its largest x
         const Mirror mirror = point.rolling_velocity < 0 ? Mirror::reversing_x() : Mirror();
-        const SimplifiedForce shares =
-            theory.fastsim(mirrored(point.creepage, mirror), [&](const SimplifiedElement& element) {
+        const SimplifiedTheory::Force shares =
+            theory.fastsim(mirrored(point.creepage, mirror), [&](const SimplifiedTheory::Element& element) {
                 found.strip_work[element.strip] -=
                     element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
             });

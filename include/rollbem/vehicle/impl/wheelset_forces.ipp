@@ -80,8 +80,9 @@ ROLLBEM_DECL PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
     return friction;
 }
 
-ROLLBEM_DECL Wrench Wrench::at(const std::array<double, 3>& arm, const std::array<double, 3>& force) {
-    Wrench wrench{.force = force};
+ROLLBEM_DECL WheelsetForces::Wrench WheelsetForces::Wrench::at(const std::array<double, 3>& arm,
+                                                               const std::array<double, 3>& force) {
+    WheelsetForces::Wrench wrench{.force = force};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
         wrench.moment[i] = arm[j] * force[k] - arm[k] * force[j];
@@ -89,7 +90,7 @@ ROLLBEM_DECL Wrench Wrench::at(const std::array<double, 3>& arm, const std::arra
     return wrench;
 }
 
-ROLLBEM_DECL auto Wrench::operator+=(const Wrench& other) -> Wrench& {
+ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const Wrench& other) -> Wrench& {
     for (std::size_t i = 0; i < 3; ++i) {
         force[i] += other.force[i];
         moment[i] += other.moment[i];
@@ -97,7 +98,7 @@ ROLLBEM_DECL auto Wrench::operator+=(const Wrench& other) -> Wrench& {
     return *this;
 }
 
-ROLLBEM_DECL Wrench mirrored(Wrench wrench, const Mirror& mirror) {
+ROLLBEM_DECL WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror) {
     for (std::size_t i = 0; i < 3; ++i) {
         wrench.force[i] *= mirror.of_vector()[i];
         wrench.moment[i] *= mirror.of_turn()[i];
@@ -141,7 +142,8 @@ inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<dou
 }
 
 /// Force and moment of the tractions [Pa] on a patch's elements.
-inline TangentialForce force_of(const std::vector<Rectangle<double>>& elements, const ElementVectors& tractions) {
+inline TangentialForce force_of(const std::vector<PatchMesh<double>::Rectangle>& elements,
+                                const ElementVectors& tractions) {
     TangentialForce force{0, 0, 0};
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& [x_1, x_2, y_1, y_2] = elements[i];
@@ -178,7 +180,7 @@ struct PatchTemperatures {
     double peak = 0;
 };
 
-inline PatchTemperatures temperatures_of(const std::vector<Rectangle<double>>& elements, Eigen::Index along,
+inline PatchTemperatures temperatures_of(const std::vector<PatchMesh<double>::Rectangle>& elements, Eigen::Index along,
                                          const Eigen::ArrayXd& work, double speed, const Heating& heating) {
     PatchTemperatures found{Eigen::ArrayXd(work.size()), 0};
     for (Eigen::Index first = 0; first < work.size(); first += along) {
@@ -243,7 +245,7 @@ public:
         const Eigen::ArrayXd cold = coefficients_on(meshes_, rolling_, friction_);
         MeshFriction found = with(cold);
         if (!friction_.heating || found.status != Status::ok) return found;
-        const std::optional<HotFriction>& hot = friction_.heating->friction;
+        const std::optional<Heating::Friction>& hot = friction_.heating->friction;
         constexpr double settled = 1e-7;
         Eigen::ArrayXd mu = cold;
         for (int round = 0; round < 100; ++round) {
@@ -458,24 +460,25 @@ ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& 
     return patch_forces(patches, at, std::vector{speeds}, dimensions, friction)[0];
 }
 
-ROLLBEM_DECL Wrench pressure_wrench_of(const RailPatch& patch, double y, double z) {
-    const CellGrid& grid = patch.grid;
+ROLLBEM_DECL WheelsetForces::Wrench pressure_wrench_of(const RailPatch& patch, double y, double z) {
+    const NormalContact::Cells& grid = patch.grid;
     const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1));
-    Wrench wrench;
+    WheelsetForces::Wrench wrench;
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
         const double sum = patch.pressure.col(j).sum(), load = sum * grid.dx * grid.dy;
         if (!(sum > 0)) continue;
         const auto place = patch.place((patch.pressure.col(j) * x).sum() / sum, grid.y(j), patch.rail_n[j]);
-        wrench +=
-            Wrench::at({place[0], place[1] - y, place[2] - z}, patch.in_track(0, load * patch.rail_slope[j], -load));
+        wrench += WheelsetForces::Wrench::at({place[0], place[1] - y, place[2] - z},
+                                             patch.in_track(0, load * patch.rail_slope[j], -load));
     }
     return wrench;
 }
 
-ROLLBEM_DECL Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z) {
+ROLLBEM_DECL WheelsetForces::Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z) {
     const auto [force_x, force_s, moment] = friction.force;
     const std::array<double, 3> place = creepage_place(patch);
-    Wrench wrench = Wrench::at({place[0], place[1] - y, place[2] - z}, patch.in_track(force_x, force_s, 0));
+    WheelsetForces::Wrench wrench =
+        WheelsetForces::Wrench::at({place[0], place[1] - y, place[2] - z}, patch.in_track(force_x, force_s, 0));
     wrench += {.force = {}, .moment = patch.in_track(0, 0, moment)};
     wrench += pressure_wrench_of(patch, y, z);
     return wrench;
@@ -629,7 +632,7 @@ private:
         if (!has_numbers(wheel(side).status)) friction.clear();
         const WheelsetPosition at = result_.contacts.seen(side);
         const double axle = at.height - wheelset_.wheel(side).dimensions().radius;
-        Wrench sum;
+        WheelsetForces::Wrench sum;
         for (std::size_t i = 0; i < friction.size(); ++i) {
             sum += wrench_of(wheel(side).patches[i], friction[i], at.lateral, axle);
         }
@@ -673,7 +676,7 @@ inline void take_friction_out(WheelsetForces& forces) {
                      .status = patch.status == Status::ok ? Status::no_solution : patch.status};
         }
     }
-    const Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
+    const WheelsetForces::Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
     forces.on_wheel = {unknown, unknown};
     forces.on_wheelset = unknown;
     forces.pitch_rate = nan;

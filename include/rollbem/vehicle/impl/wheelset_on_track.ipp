@@ -33,7 +33,7 @@ ROLLBEM_DECL Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const Wheel
     const detail::SlipVelocity slip(patch, at, speeds, radius);
     const double speed = std::abs(rolling_velocity_of(patch, speeds));
     const Creepage linear = creepage_of(patch, at, speeds, radius);
-    const CellGrid& grid = patch.grid;
+    const NormalContact::Cells& grid = patch.grid;
     const Eigen::ArrayXd middle = (patch.rail_n + patch.wheel_n) / 2;
     Eigen::MatrixX2d rows(x.size(), 2);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -53,7 +53,7 @@ ROLLBEM_DECL PatchContact contact_of(const RailPatch& patch, const TrackDimensio
 }
 
 ROLLBEM_DECL PressureGrid pressure_of(const RailPatch& patch) {
-    const CellGrid& grid = patch.grid;
+    const NormalContact::Cells& grid = patch.grid;
     return {Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1)),
             Eigen::ArrayXd::LinSpaced(grid.ny, grid.y(0), grid.y(grid.ny - 1)), patch.pressure.matrix()};
 }
@@ -62,6 +62,7 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
                                          Workspace& workspace, Free free, const WheelOnRail::Options& options) const
     -> Contacts {
     Contacts contacts;
+    WheelOnRail::Options cells = options;
     // height of the right wheel minus height of the left one; a roll lowers the right wheel, so that the gap falls
     const auto gap = [&](double roll) {
         position.roll = roll;
@@ -69,24 +70,42 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
             const auto k = static_cast<std::size_t>(side);
             WheelsetPosition at = seen_from(side, position);
             at.height += height_above(side);
+            WheelOnRail::Options of = cells;
+            // without numbers of the one wheel there are none of the other
+            if (free == Free::height_and_roll && side == Side::right) {
+                of.halves_cells = of.halves_cells && has_numbers(contacts.wheels[0].status);
+            }
             contacts.wheels[k] = free == Free::nothing
-                                     ? wheels_[k].solve_at_height(at, workspace.wheels[k], options)
-                                     : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], options);
+                                     ? wheels_[k].solve_at_height(at, workspace.wheels[k], of)
+                                     : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], of);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - (contacts.wheels[0].height - height_above(Side::left));
     };
+    // the roll on the given cells, then on those that suffice
+    if (free == Free::height_and_roll) cells.halves_cells = false;
     double roll = position.roll, excess = gap(roll);
     contacts.position = position;
     if (free != Free::height_and_roll) return contacts;
     // contacts, and with them heights, jump a little where grids change
-    constexpr double precise = 1e-10, jump = 1e-6;  // tolerances of the height [m]
-    detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
+    constexpr double precise = 1e-10, small = 1e-8, jump = 1e-6;  // tolerances of the height [m]
+    const detail::RisingRoot anywhere(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
+    detail::RisingRoot root = anywhere;
+    const auto refined = [&] { return cells.halves_cells == options.halves_cells; };
     // a patch with few cells at one roll need not have few at the next
-    const auto goes_on = [&] { return has_numbers(contacts.status) || contacts.status == Status::few_cells; };
-    for (int k = 0; k < 40 && goes_on() && std::abs(excess) > precise; ++k) {
-        roll = root.next(roll, -excess);
-        if (root.width() < 1e-10 && std::abs(excess) < jump) break;
+    const auto goes_on = [&] {
+        return has_numbers(contacts.status) || (contacts.status == Status::few_cells && !cells.halves_cells);
+    };
+    for (int k = 0, fine = 0; k < 60 && goes_on(); ++k) {
+        fine += refined();
+        const bool found =
+            std::abs(excess) <= (fine > 2 ? small : precise) || (root.width() < 1e-10 && std::abs(excess) < jump);
+        if (found && refined()) break;
+        if (!found) roll = root.next(roll, -excess);
+        if (!refined() && std::abs(excess) < jump) {
+            cells.halves_cells = options.halves_cells;
+            root = anywhere;
+        }
         excess = gap(roll);
     }
     if (has_numbers(contacts.status) && std::abs(excess) > jump) contacts.status = Status::load_not_reached;
@@ -126,12 +145,12 @@ inline double end_of_flank(const Profile& wheel, double tape) {
 
 namespace rollbem {
 
-ROLLBEM_DECL RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double lateral) {
-    RollingRadii radii{.lateral = lateral};
+ROLLBEM_DECL WheelsetOnTrack::RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double lateral) {
+    WheelsetOnTrack::RollingRadii radii{.lateral = lateral};
     radii.status = Status::ok;
     for (const WheelsetSide side : WheelsetOnTrack::sides) {
         const WheelOnRail& wheel = wheelset.wheel(side);
-        RigidContact& contact = radii.wheels[std::size_t(side)];
+        WheelOnRail::RigidContact& contact = radii.wheels[std::size_t(side)];
         contact = rigid_contact(wheel, WheelsetOnTrack::seen_from(side, WheelsetPosition{.lateral = lateral}));
         radii.status = (std::max)(radii.status, contact.status);
         const double tape = 0.07 - wheel.dimensions().tape_offset;
@@ -230,10 +249,10 @@ double mean_over_wave(const Function& f) {
 
 namespace rollbem {
 
-ROLLBEM_DECL EquivalentConicity equivalent_conicity(const RadiusDifference& radii, double amplitude) {
+ROLLBEM_DECL RadiusDifference::Conicity equivalent_conicity(const RadiusDifference& radii, double amplitude) {
     detail::require(detail::is_finite(amplitude) && amplitude >= detail::least_amplitude, "equivalent_conicity",
                     "amplitude", amplitude, "be positive and finite, and at least 1e-6 m");
-    EquivalentConicity result{.amplitude = amplitude};
+    RadiusDifference::Conicity result{.amplitude = amplitude};
     const detail::WaveMiddle middle = detail::middle_of_wave(
         radii, amplitude, [&](double y) { return radii.integral(y + amplitude) - radii.integral(y - amplitude); });
     const detail::WaveMiddle balanced = detail::middle_of_wave(radii, amplitude, [&](double y) {
@@ -263,7 +282,8 @@ ROLLBEM_DECL EquivalentConicity equivalent_conicity(const RadiusDifference& radi
 }
 
 ROLLBEM_DECL std::optional<double> conicity_nonlinearity(const RadiusDifference& radii) {
-    const EquivalentConicity little = equivalent_conicity(radii, 2e-3), large = equivalent_conicity(radii, 4e-3);
+    const RadiusDifference::Conicity little = equivalent_conicity(radii, 2e-3),
+                                     large = equivalent_conicity(radii, 4e-3);
     if (little.status != Status::ok || large.status != Status::ok) return std::nullopt;
     return (large.tan_gamma - little.tan_gamma) / 2e-3;
 }
@@ -274,19 +294,19 @@ namespace rollbem::detail {
 
 /// Rolling radii in steps from the middle to one side. The last one lies at the end of the range in which both wheels
 /// have a contact. Empty if this end is the middle.
-inline std::vector<RollingRadii> radii_outwards(const WheelsetOnTrack& wheelset, double step) {
+inline std::vector<WheelsetOnTrack::RollingRadii> radii_outwards(const WheelsetOnTrack& wheelset, double step) {
     constexpr double reach = 0.1, precise = 1e-9;  // [m]
-    std::vector<RollingRadii> radii;
+    std::vector<WheelsetOnTrack::RollingRadii> radii;
     double out = 0;
     for (int k = 0; std::abs(out = k * step) < reach; ++k) {
-        RollingRadii at = rolling_radii(wheelset, out);
+        WheelsetOnTrack::RollingRadii at = rolling_radii(wheelset, out);
         if (at.status != Status::ok) break;
         radii.push_back(std::move(at));
     }
     if (radii.empty()) return radii;
-    RollingRadii last = radii.back();
+    WheelsetOnTrack::RollingRadii last = radii.back();
     while (std::abs(out - last.lateral) > precise) {
-        RollingRadii middle = rolling_radii(wheelset, (out + last.lateral) / 2);
+        WheelsetOnTrack::RollingRadii middle = rolling_radii(wheelset, (out + last.lateral) / 2);
         if (middle.status == Status::ok) {
             last = std::move(middle);
         } else {
@@ -303,24 +323,25 @@ namespace rollbem {
 
 ROLLBEM_DECL std::optional<RadiusDifference> radius_difference(const WheelsetOnTrack& wheelset, double step) {
     detail::require(step >= 1e-6 && step <= 1e-3, "radius_difference", "step", step, "lie in [1e-6, 1e-3]");
-    std::vector<RollingRadii> radii = detail::radii_outwards(wheelset, -step);
-    const std::vector<RollingRadii> right = detail::radii_outwards(wheelset, step);
+    std::vector<WheelsetOnTrack::RollingRadii> radii = detail::radii_outwards(wheelset, -step);
+    const std::vector<WheelsetOnTrack::RollingRadii> right = detail::radii_outwards(wheelset, step);
     std::reverse(radii.begin(), radii.end());
     if (!right.empty()) radii.insert(radii.end(), right.begin() + 1, right.end());
     const auto n = static_cast<Eigen::Index>(radii.size());
     Eigen::ArrayXd y(n), difference(n);
     Eigen::Index balanced = -1;
     for (Eigen::Index i = 0; i < n; ++i) {
-        const RollingRadii& at = radii[std::size_t(i)];
+        const WheelsetOnTrack::RollingRadii& at = radii[std::size_t(i)];
         y[i] = at.lateral;
         difference[i] = at.difference();
         if (difference[i] <= 0) balanced = i;
     }
     if (n < 2 || balanced < 0 || difference[n - 1] < 0) return std::nullopt;
     // both points of contact where Delta r is 0, between two positions
-    const RollingRadii &low = radii[std::size_t(balanced)], &high = radii[std::size_t((std::min)(balanced + 1, n - 1))];
+    const WheelsetOnTrack::RollingRadii &low = radii[std::size_t(balanced)],
+                                        &high = radii[std::size_t((std::min)(balanced + 1, n - 1))];
     const double rise = high.difference() - low.difference(), share = rise > 0 ? -low.difference() / rise : 0;
-    const auto mean = [](const RollingRadii& at) {
+    const auto mean = [](const WheelsetOnTrack::RollingRadii& at) {
         return (at.wheels[0].rolling_radius + at.wheels[1].rolling_radius) / 2;
     };
     const double distance = low.distance() + share * (high.distance() - low.distance()),
