@@ -22,9 +22,9 @@
 #include <vector>
 
 #include <rollbem/vehicle/contact_table.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "contact/contact.hpp"
 #include "support/csv.hpp"

@@ -30,6 +30,8 @@ target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/a
 target_link_libraries(rollbem_study_support
     PUBLIC rollbem::reference rollbem_build_info Threads::Threads
     PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
+# Its programs link the bodies, so that it includes none.
+target_compile_definitions(rollbem_study_support PRIVATE ROLLBEM_COMPILED)
 # Two units, the one with CLI11 and the rest, so that two processors share the work.
 compile_as_one(rollbem_study_support)
 set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/options.cpp" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -62,7 +62,7 @@ private:
         creep_coefficients(contact_, solve_steady(contact_, patch_mesh(contact_, 16, 16), scheme));
     FrictionModel model_;
     FrictionState state_ = model_.at_rest();
-    FrictionWorkspace workspace_ = model_.workspace();
+    FrictionModel::Workspace workspace_ = model_.workspace();
 };
 
 double difference(const TangentialForce& one, const TangentialForce& other) {

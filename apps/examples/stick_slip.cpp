@@ -36,7 +36,7 @@ constexpr double speed = 10, radius = 0.5, load = 100e3, half_width = 8e-3;  // 
 constexpr double wheel_inertia = 100, motor_inertia = 500;                   // J, J_m [kg m^2]
 constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
 constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
-constexpr rollbem::FrictionMemory memory{.distance = 10e-6, .least_velocity = 1e-3};
+constexpr rollbem::Friction::Memory memory{.distance = 10e-6, .least_velocity = 1e-3};
 constexpr rollbem::ElasticBody steel{2.1e11, 0.28};
 
 double creepage(double rotation) { return 1 - radius * rotation / speed; }

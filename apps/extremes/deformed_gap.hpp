@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/detail/region_solver.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/normal/detail/region_solver.hpp>
 
 namespace extremes {
 

@@ -31,14 +31,14 @@ constexpr double reach = 2e-3;  // of wear along a profile [m]: places in servic
 
 }  // namespace
 
-/// What the whole collective takes off a body at its points.
+/// What the whole collective takes off a body at its points, spread along the profile.
 struct WearRates {
     Eigen::ArrayXd area;    ///< per length [m]
     Eigen::ArrayXd strain;  ///< depth over the elastic compression p b (1 - nu)/G of the patches that wear there
 
-    /// The largest share of the collective that wears off `step` at most, and less than surfaces approach elastically:
-    /// the contact lies elsewhere then, and explicit steps go to and fro.
-    double part(double step) const { return 1 / std::max(area.maxCoeff() / step, strain.maxCoeff()); }
+    /// The largest share of the collective that wears off `step` at most, and a quarter of what surfaces approach
+    /// elastically: contacts move to other places as they wear, and larger explicit steps go to and fro.
+    double part(double step) const { return 1 / std::max(area.maxCoeff() / step, 4 * strain.maxCoeff()); }
 };
 
 /// A wheel or a rail that wears.
@@ -48,8 +48,7 @@ struct WearingBody {
     Profile before, now;
     Use use;
 
-    /// Takes off this area per length [m], spread along the profile.
-    void wear(const Eigen::ArrayXd& area) { now = worn_by_area(now, spread(now, area, reach), use); }
+    void wear(const Eigen::ArrayXd& area) { now = worn_by_area(now, area, use); }
 };
 
 /// A row: the profiles at a search.
@@ -112,10 +111,10 @@ rollbem::WearLaw read_law(const study::Options& options) {
 
 std::string wear_help() {
     return R"(A column distance in --positions: the wheel of --side wears, and its rail by the passages, both by --wear-law, 7850
-kg/m^3. All positions wear together, each by its share, until something is --wear-step deep; then contacts are found
-anew. The wheel's section loses the volume per metre rolled V' times distance/(2 pi r), the rail's V' passages. Wear is
-spread along the profile over 2 mm, as places vary in service and waves must not grow; its area stays. A row for each
-search, the first one of the profiles as they are read:
+kg/m^3. All positions wear together, each by its share, until something is --wear-step deep, or a quarter as
+deep as surfaces approach each other elastically; then contacts are found anew. The wheel's section loses the volume per metre rolled V'
+times distance/(2 pi r), the rail's V' passages. Wear is spread along the profile over 2 mm, as places vary in service
+and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read:
 )" + wear_sheet().help() +
            R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
 --length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
@@ -258,7 +257,7 @@ WearRun::State::Rates WearRun::State::search() {
     status = name(worst);
     const auto rates = [](const std::array<rollbem::ProfileWear, 2>& sums, const Profile& profile,
                           const Eigen::ArrayXd& over) {
-        const auto at = [&](std::size_t m) -> Eigen::ArrayXd { return sums[m].at_points(profile) / over; };
+        const auto at = [&](std::size_t m) { return spread(profile, sums[m].at_points(profile) / over, reach); };
         return WearRates{at(0), at(1)};
     };
     return {rates(of_wheel, wheel.now, now.wheel(side).dimensions().radius + wheel.now.z()),

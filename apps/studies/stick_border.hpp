@@ -120,7 +120,7 @@ void solve_on_elements(const Contact& contact, const Kernel& kernel, double fric
                               Friction{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     const FrictionStep step = model.steady(rest, {.motion = Creepage{creepage}}, state, workspace);
     result.elements.emplace(
         studies::StickBorderSolution<double>::OnElements{mesh, state.traction.col(0), workspace.slip().col(0)});

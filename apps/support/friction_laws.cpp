@@ -15,7 +15,7 @@ const std::vector<FrictionLawRow>& friction_laws() {
          .parameters = {{"falling_ratio", "parameters of --falling"}, {"half_velocity", ""}},
          .rule = "be K,VH with K >= 0 and VH > 0, both finite",
          .holds = [](const std::vector<double>& p) { return p[0] >= 0 && p[1] > 0; },
-         .law = [](const std::vector<double>& p) -> rollbem::FrictionLaw {
+         .law = [](const std::vector<double>& p) -> rollbem::Friction::Law {
              return rollbem::ExponentialFall{1, p[0], p[1]};
          },
          .title = {"μ falls to μ_0 times ", ", by half at a slip of "}}};

@@ -26,7 +26,7 @@ struct FrictionLawRow {
     std::vector<Parameter> parameters;
     std::string rule;  ///< "be ...", what finite parameters must satisfy, as `holds` checks it
     bool (*holds)(const std::vector<double>& parameters);
-    rollbem::FrictionLaw (*law)(const std::vector<double>& parameters);
+    rollbem::Friction::Law (*law)(const std::vector<double>& parameters);
     std::vector<std::string> title;  ///< a text before each parameter
 };
 
@@ -39,9 +39,9 @@ std::string friction_law_flags();
 struct ChosenLaw {
     const FrictionLawRow* row;
     std::vector<double> parameters;
-    rollbem::FrictionMemory memory{};
+    rollbem::Friction::Memory memory{};
 
-    rollbem::FrictionLaw law() const { return row->law(parameters); }
+    rollbem::Friction::Law law() const { return row->law(parameters); }
 };
 
 /// The options of all laws, of which one may be given, and --memory.
@@ -64,11 +64,11 @@ std::vector<Column<Row>> friction_law_columns(const LawOf& law_of) {
                                }});
         }
     }
-    const auto of_memory = [=](double rollbem::FrictionMemory::*member) {
+    const auto of_memory = [=](double rollbem::Friction::Memory::*member) {
         return [=](const Row& r) { return law_of(r) ? Cell((*law_of(r)).memory.*member) : Cell(); };
     };
-    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::FrictionMemory::distance)});
-    columns.push_back({"least_velocity", "", of_memory(&rollbem::FrictionMemory::least_velocity)});
+    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::Friction::Memory::distance)});
+    columns.push_back({"least_velocity", "", of_memory(&rollbem::Friction::Memory::least_velocity)});
     return columns;
 }
 

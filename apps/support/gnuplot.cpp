@@ -543,7 +543,7 @@ Panel panel_of(Plot plot, Above& above, const Margins& margins, const std::vecto
         panel.script += "set label " + quoted(text) + " at graph 1.02, graph " + Cell(height).text(4) + " left\n";
     }
     panel.needs = {48 + character * mark_length(plot), !plot.colours.empty() ? 110
-                                                       : ends.empty()        ? 25
+                                                       : ends.empty()        ? (plot.x.logarithmic ? 33 : 25)
                                                                              : longest(texts) + 20};
     constexpr double marks_and_label = 79;  // below the frame
     std::size_t rows = 0;

@@ -9,21 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "studies/monomial.hpp"
 #include "studies/stick_border.hpp"
@@ -362,7 +352,7 @@ std::vector<double> friction_by_elements(const Scene& scene, const std::vector<d
     const FrictionModel model(contact, steady_system(mesh, scheme, scene.kernel()),
                               {1, peak * mean_hertz_pressure(mesh)});
     FrictionState now = model.at_rest(), next = now;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     std::vector<double> found;
     for (const double ratio : ratios) {
         const FrictionStep point =

@@ -4,16 +4,8 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
-#include <rollbem/system/rolling_system.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

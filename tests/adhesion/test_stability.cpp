@@ -4,6 +4,8 @@
 #include <complex>
 #include <limits>
 
+#include <Eigen/QR>
+
 #include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
@@ -282,6 +284,19 @@ TEST_CASE("The fast count detects two equal equations", "[stability]") {
         Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}}, Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
     CHECK(count.rcond == 0);
     CHECK(count.status == Status::ill_conditioned);
+}
+
+TEST_CASE("A mode that neither grows nor decays is not proved to decay, however it is turned", "[stability]") {
+    int undecided = 0;
+    for (unsigned scene = 0; scene < 100; ++scene) {
+        const MatrixX<double> Q = Eigen::HouseholderQR<MatrixX<double>>(random_matrix(4, scene)).householderQ();
+        const Eigen::Vector4d modes(-0.5, -0.7, -0.9, 1e-17);
+        const StabilityVerdict verdict = judge_stability(RollingSystem<double>(
+            MatrixX<double>::Identity(4, 4), Q * modes.asDiagonal() * Q.transpose(), ArrayX<double>::Ones(4)));
+        CHECK_FALSE(verdict.stable());
+        undecided += verdict.unstable_count == 0 ? 1 : 0;
+    }
+    CHECK(undecided > 20);
 }
 
 }  // namespace

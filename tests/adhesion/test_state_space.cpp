@@ -3,13 +3,7 @@
 #include <complex>
 #include <limits>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -119,6 +113,15 @@ TEST_CASE("A state space rejects singular systems, infinite widths and invalid s
     }
     const Contact endless = Contact::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
     CHECK_THROWS_WITH(in_si(space, endless, 1), ContainsSubstring("half_width = inf must be finite"));
+}
+
+TEST_CASE("What answers without delay has the units of what settles", "[state_space]") {
+    StateSpace space = state_space(Chebyshev{4}, plane);
+    space.D = space.C * space.A.lu().solve(space.B);  // so that nothing settles
+    const StateSpace si = in_si(space, Contact({5e-3, 0.5, 8e10, 0.25}), 20);
+    const double settles = (si.C * si.A.lu().solve(si.B))(0, 0);
+    CHECK(si.D(0, 0) == Approx(settles).epsilon(1e-12));
+    CHECK(std::abs(settles) > 1e6);
 }
 
 }  // namespace

@@ -5,12 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/system/detail/dissipation.hpp>
 
 #include "support/brute_force.hpp"

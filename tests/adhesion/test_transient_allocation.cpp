@@ -12,29 +12,19 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/detail/stick_slip.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"
 #include "friction/any_model.hpp"
+#include "laws/creep_forces.hpp"
+#include "laws/hertz.hpp"
+#include "laws/steps.hpp"
+#include "laws/wheels.hpp"
 #include "support/catch.hpp"
-#include "vehicle/creep_force_scene.hpp"
 
 namespace allocation_tests {
 namespace {
@@ -202,31 +192,6 @@ TEST_CASE("A step in full adhesion does not allocate, whatever the size", "[tran
     CHECK(count(AdhesionModel(contact, ElementSystem(along, across), unchecked), 20) == 0);
 }
 
-TEST_CASE("A step to another half-length does not allocate", "[transient]") {
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        for (const Eigen::Index n : {1, 2, 40, 128}) {
-            const AdhesionModel<> model = make_model(n, integrator);
-            AdhesionModel<>::Workspace workspace = model.workspace();
-            AdhesionModel<>::State now = model.at_rest(), next = now;
-            bool ok = true, refused = true;
-            const long before = allocations;
-            for (int k = 1; k <= 20; ++k) {
-                ok = model.advance(now, {0.1, 1.0, 1 + 0.01 * k}, next, workspace).status == Status::ok && ok;
-                std::swap(now, next);
-                ok = model.advance(now, {0.1, 1.0}, next, workspace).status == Status::ok && ok;
-                ok = model.advance(next, {0.1, 1.0}, now, workspace).status == Status::ok && ok;
-                refused =
-                    refused && model.advance(now, {0.1, 1.0, 5.0}, next, workspace).status == Status::needs_fixed_mesh;
-            }
-            const long after = allocations;
-            CAPTURE(n, name(integrator));
-            CHECK(ok);
-            CHECK(refused);
-            CHECK(after == before);
-        }
-    }
-}
-
 // Heap requests made by `ride` in `steps` of every kind, steady solutions and refusals: a mesh that breathes or a
 // contact that lifts off, creepages that turn, and, in the end, steps in which nothing changes any more.
 long count(any_model::Ride& ride, int steps) {
@@ -273,55 +238,6 @@ TEST_CASE("A step with friction does not allocate, whatever the model, the load 
     }
 }
 
-TEST_CASE("A step of a patch of varying size and shape does not allocate", "[friction]") {
-    const HertzEllipse ellipse({.load = 1e4,
-                                .radii_1 = {.rolling = 0.5, .lateral = 0.5},
-                                .radii_2 = {.rolling = INFINITY, .lateral = INFINITY},
-                                .body_1 = {2e11, 0.3},
-                                .body_2 = {2e11, 0.3}});
-    const double a = ellipse.half_length();
-    const PatchContact contact = ellipse.contact();
-    const PatchMesh<double> mesh = patch_mesh(contact, 5, 5);
-    const NodeDifference scheme{Nodes::chebyshev};
-    const HalfSpace<double> kernel(0.3);
-    const PatchShapes<double> shapes(5, 5, scheme, kernel, {.least = 0.5, .largest = 2, .factor = 1.5});
-    const auto breathing = HertzEllipse::Load::breathing(ellipse, contact, mesh),
-               fixed = HertzEllipse::Load::fixed(ellipse, contact, mesh);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        for (const bool moves : {true, false}) {
-            const HertzEllipse::Load& hertz = moves ? breathing : fixed;
-            NormalLoad load = hertz.at(1e4);
-            const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
-                                      unchecked, {0.3, load.normal_pressure}, integrator);
-            const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
-            FrictionState now = model.at_rest(), next = now;
-            AdhesionModel<2>::State stuck = adhesion.at_rest(), stuck_next = stuck;
-            auto workspace = model.workspace();
-            auto stuck_workspace = adhesion.workspace();
-            bool ok = true;
-            const long before = allocations;
-            for (int k = 0; k < 40; ++k) {
-                ok = hertz.set(1e4 * (0.8 - 0.19 * std::cos(0.3 * k)), load) == Status::ok && ok;
-                if (moves) load.half_width *= 1 + 0.1 * std::sin(0.2 * k);
-                const Creepage creepage{1e-3, (k % 7 - 3) * 1e-3, 0.2};
-                ok = ok && model.advance(now, {0.3 * a, creepage, load}, next, workspace).status == Status::ok;
-                ok = ok && model.steady(next, {.motion = creepage, .load = load}, now, workspace).status == Status::ok;
-                std::swap(now, next);
-                const SemiAxes axes{load.half_length, load.half_width};
-                ok = ok && adhesion.advance(stuck, {0.3 * a, creepage, axes}, stuck_next, stuck_workspace).status ==
-                               Status::ok;
-                ok = ok &&
-                     adhesion.steady(stuck_next, {.motion = creepage}, stuck, stuck_workspace).status == Status::ok;
-                std::swap(stuck, stuck_next);
-            }
-            const long after = allocations;
-            CAPTURE(name(integrator), moves);
-            CHECK(ok);
-            CHECK(after == before);
-        }
-    }
-}
-
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
     detail::StickSlipSolver<2> uncoupled(n), coupled(n, true);
@@ -357,42 +273,31 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
     CHECK(unsolved > 0);
 }
 
-TEST_CASE("A look-up in a table of creep forces does not allocate") {
-    const CreepForceTable table = creep_forces::table(5, 4);
-    const PatchContact contact({5e-3, 6e-3, 8e10, 0.28});
-    double sum = 0;
-    const long before = allocations;
-    for (int k = 0; k < 100; ++k) {
-        const CreepForceTable::Force at = table.look_up(contact, 0.3, 8e4, {1e-4 * k, 2e-5 * (k - 50), 0.01 * k});
-        sum += at.force.lateral + at.tangent.by_spin.moment;
+TEST_CASE("No force element allocates, whether it answers or refuses") {
+    using namespace laws;
+    std::vector<ForceElement> all{creep_force_table(),     reduced_friction(), wheel_look_up(false, {}),
+                                  wheel_look_up(true, {}), height_and_roll(),  load_at_height(),
+                                  hertz_load(true),        hertz_load(false),  hertz_patch_load(true),
+                                  hertz_patch_load(false)};
+    for (const Integrator integrator :
+         {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
+        for (const Stuck what : {Stuck::elements, Stuck::states}) all.push_back(adhesion_step<1>(what, integrator));
+        all.push_back(adhesion_step<2>(Stuck::patch, integrator));
     }
-    CHECK(allocations == before);
-    CHECK(std::isfinite(sum));
-}
-
-TEST_CASE("A look-up of a wheelset does not allocate") {
-    const CreepForceTable creep = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    const ContactTable table = ContactTable::read(ROLLBEM_S1002_CONTACT);
-    double sum = 0;
-    bool ok = true, refused = true;
-    const long before = allocations;
-    for (int k = -70; k <= 70; ++k) {  // from flange to flange
-        const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46, .lateral = 1e-3 * k};
-        WheelsetPosition position{.lateral = 1e-4 * k, .yaw = 1e-4 * k};
-        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
-            const WheelForces wheel = table.look_up(creep, side, position, speeds, 1e5, 0.3);
-            ok = ok && wheel.status == Status::ok;
-            sum += wheel.force[1] + wheel.derivative(WheelForces::yaw)[5];
-        }
-        sum += table.on_rails(position.lateral, position.yaw).roll_by_yaw;
-        position.lateral = 1;
-        refused = refused &&
-                  table.look_up(creep, WheelsetSide::left, position, speeds, 1e5, 0.3).status == Status::wrong_table;
+    for (const By by : {By::steady, By::implicit_euler, By::sdirk2}) {
+        for (const Law law : {Law::constant, Law::falling}) all.push_back(friction(Rolling::patch, by, law));
     }
-    CHECK(allocations == before);
-    CHECK(ok);
-    CHECK(refused);
-    CHECK(std::isfinite(sum));
+    for (const ForceElement& of : all) {
+        for_each_scene(of, 10, [&](const Numbers& x) {
+            Numbers other = x, bad = x;
+            other[0] *= 0.9;
+            bad[0] = laws::nan;
+            const long before = allocations;
+            for (const Numbers& asked : {x, other, bad, x}) of.answer(asked);
+            const long after = allocations;
+            CHECK(after == before);
+        });
+    }
 }
 
 }  // namespace

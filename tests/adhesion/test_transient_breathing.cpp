@@ -7,13 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -132,6 +126,14 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                         CHECK(step.force == Approx(0.8 * force).epsilon(1e-12));
                         CHECK(model.force(to) == Approx(step.force).epsilon(1e-14));
                         CHECK(to.half_length == a_new * a_0);
+                        if (da != 0) continue;  // the same without a load, after a step of the same distance, too
+                        for (const double before : {0.0, dq * a_0}) {
+                            from.distance = before;
+                            const AdhesionModel<>::Step unloaded =
+                                model.advance(from, {dq * a_0, motion}, to, workspace);
+                            CHECK(unloaded.force == Approx(step.force).epsilon(1e-12));
+                        }
+                        from.distance = 0;
                         CHECK(to.system == model.fingerprint());
                     }
                 }
@@ -174,47 +176,6 @@ TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many el
         CHECK(std::abs(support::observed_order(counts, of_nodes) - 2) < 0.1);
         CHECK(std::abs(4 * of_nodes[2] - of_nodes[1]) / 3 < 1e-6);
     }
-}
-
-TEST_CASE("The tangents by motion and by half-length are derivatives of the force", "[breathing]") {
-    const double a_0 = 4e-3;
-    const Contact contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
-    const auto check = [&](const auto& system) {
-        for (const Integrator integrator : breathing_integrators) {
-            const Model model(contact, system, unchecked, integrator);
-            Model::Workspace workspace = model.workspace();
-            Model::State from = model.steady(1e-3), to = from;
-            from.half_length = 1.1 * a_0;
-            const double dq = 0.3 * a_0, h = 1e-5 * a_0;
-            for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
-                const auto force = [&](const Motion& motion, double half_length) {
-                    const AdhesionModel<>::Step step = model.advance(from, {dq, motion, half_length}, to, workspace);
-                    REQUIRE(step.status == Status::ok);
-                    return step.force;
-                };
-                const auto slope = [&](const Motion& low, const Motion& high, double distance) {
-                    return (force(high, a) - force(low, a)) / distance;
-                };
-                CAPTURE(model.size(), name(integrator), a);
-                const Motion linear = Motion::linear(1e-3, 3e-3);
-                CHECK(model.advance(from, {dq, 2e-3, a}, to, workspace).tangent ==
-                      Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, {dq, linear, a}, to, workspace).tangent ==
-                      Approx(slope(Motion::linear(1e-3, 2e-3), Motion::linear(1e-3, 4e-3), 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, {dq, Motion::shift(1e-6), a}, to, workspace).tangent ==
-                      Approx(slope(Motion::shift(0), Motion::shift(2e-6), 2e-6)).epsilon(1e-9));
-                for (const Motion& motion : {Motion(2e-3), linear, Motion::shift(1e-6)}) {
-                    const double by_length = (8 * (force(motion, a + h) - force(motion, a - h)) -
-                                              force(motion, a + 2 * h) + force(motion, a - 2 * h)) /
-                                             (12 * h);
-                    const double tangent = model.advance(from, {dq, motion, a}, to, workspace).tangent_by_half_length;
-                    CHECK(tangent == Approx(by_length).epsilon(1e-8));
-                }
-            }
-        }
-    };
-    check(elements(16, 100));
-    check(states(8, 100));
 }
 
 TEST_CASE("The trailing edge releases the work that full adhesion does not store", "[breathing]") {
@@ -264,7 +225,6 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
 }
 
 TEST_CASE("An impossible half-length gives a status and leaves the target state unchanged", "[breathing][not_finite]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Contact contact = unit_contact(100);
     const auto check_refusals = [&](const Model& model, const auto& ask, Status expected) {
         Model::State from = model.steady(1), to = model.at_rest();
@@ -287,32 +247,15 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     };
     for (const Integrator integrator : breathing_integrators) {
         const Model model(contact, elements(10, 100), unchecked, integrator);
-        for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
-            check_refusals(model, to_length(0.1, bad), Status::invalid_load);
-            // a state with such a half-length is rejected too
-            check_refusals(
-                model,
-                [&](const Model& m, Model::State& from, Model::State& to) {
-                    Model::Workspace workspace = m.workspace();
-                    from.half_length = bad;
-                    CHECK(m.advance(from, {0.1, 1.0}, to, workspace).status == Status::wrong_state);
-                    return m.advance(from, {0.1, 1.0, 1.0}, to, workspace);
-                },
-                Status::wrong_state);
-        }
         for (const double change : {0.25, -0.25, 0.5, -0.5}) {
             check_refusals(model, to_length(0.25, 1 + change), Status::needs_fixed_mesh);
         }
         check_refusals(model, to_length(0, 1.01, Motion::shift(0.1)), Status::needs_fixed_mesh);
-        check_refusals(model, to_length(0, 1.01), Status::invalid_step);
-        check_refusals(model, to_length(nan, 1.01), Status::invalid_step);
-        check_refusals(model, to_length(0.1, 1.01, nan), Status::not_finite);
         Model::Workspace workspace = model.workspace();
         Model::State from = model.steady(1), to = from;
         CHECK(model.advance(from, {0.25, 1.0, 1.24}, to, workspace).status == Status::ok);
         CHECK(model.advance(from, {0.25, 1.0, 0.76}, to, workspace).status == Status::ok);
         CHECK(model.advance(from, {0.0, Motion::shift(0.1), 1.0}, to, workspace).status == Status::ok);
-        CHECK(model.advance(from, {0.1, 1.0, 1.01}, from, workspace).status == Status::wrong_state);
 
         // a result that overflows: `to` is then a copy of `from`
         from.traction.setConstant(1.7e308);

@@ -4,15 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/response.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/scene/patch_contact.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -41,14 +34,8 @@ const PatchContact patch({.half_length = a, .half_width = b, .shear_modulus = G,
 
 Forces vector(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
-Eigen::Matrix3d matrix(const TangentialForce::ByCreepage& tangent) {
-    Eigen::Matrix3d result;
-    result << vector(tangent.by_longitudinal), vector(tangent.by_lateral), vector(tangent.by_spin);
-    return result;
-}
-
 /// Two strips of two elements; all directions and elements couple.
-ElementSystem<double, 2> patch_system(double slope = 1.5) {
+ElementSystem<double, 2> patch_system() {
     Elements<double> elements;
     elements.x.resize(4);
     elements.x << -0.4, 0.6, -0.3, 0.5;
@@ -69,7 +56,7 @@ ElementSystem<double, 2> patch_system(double slope = 1.5) {
                 slopes[d][e](i, (i + 3) % 4) += 0.2;
                 if (d != e) continue;
                 blocks[d][e](i, i) += 1;
-                slopes[d][e](i, i) -= slope;
+                slopes[d][e](i, i) -= 1.5;
             }
         }
     }
@@ -145,65 +132,6 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
             for (Eigen::Index i = 0; i < 3; ++i) CHECK(vector(step.force)[i] == Approx(force[i]).epsilon(1e-11));
             CHECK(std::isnan(step.force_per_width.longitudinal));
         }
-    }
-}
-
-TEST_CASE("The tangent of three forces by three motions is the difference quotient", "[transient]") {
-    for (const Integrator integrator : all_integrators) {
-        const Model model(patch, patch_system(), unchecked, integrator);
-        Model::Workspace workspace = model.workspace();
-        Model::State from = model.steady(Creepage{1e-3, 2e-3, 0.4}), to = from;
-        const double dq = 0.6 * a;
-        const auto value = [](Eigen::Index input, double size) {
-            Creepage result{1e-3, -2e-3, 0.3};
-            (input == 0 ? result.longitudinal : input == 1 ? result.lateral : result.spin) += size;
-            return result;
-        };
-        for (const double before : {0.0, dq}) {
-            from.distance = before;
-            for (Eigen::Index j = 0; j < 3; ++j) {
-                const double size = j == 2 ? 0.2 : 1e-3;
-                for (const auto& motion : {+[](const Creepage& end) { return Motion(end); },
-                                           +[](const Creepage& end) { return Motion::linear({}, end); },
-                                           +[](const Creepage& end) { return Motion::shift(end); }}) {
-                    const AdhesionModel<2>::Step low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
-                    const AdhesionModel<2>::Step high =
-                        model.advance(from, {dq, motion(value(j, size))}, to, workspace);
-                    const Forces slope = (vector(high.force) - vector(low.force)) / size;
-                    const Forces tangent = matrix(high.tangent).col(j);
-                    CAPTURE(name(integrator), before, j);
-                    CHECK((slope - tangent).norm() < 1e-10 * tangent.norm());
-                }
-            }
-        }
-    }
-}
-
-TEST_CASE("The result of a step depends on state and arguments alone, to the last bit", "[transient]") {
-    // whatever the workspace has been used for
-    const Model model(patch, patch_system(), unchecked);
-    const Model others[] = {Model(patch, patch_system(), unchecked, Integrator::implicit_euler),
-                            Model(patch, patch_system(), unchecked, Integrator::matrix_exponential),
-                            Model(patch, patch_system(1.4), unchecked)};
-    Model::Workspace used = model.workspace();
-    Model::State now = model.at_rest(), next = now, other = now;
-    for (int k = 0; k < 40; ++k) {
-        const double dq = a * std::array{0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.2}[static_cast<std::size_t>(k) % 7];
-        const Creepage value{1e-3, 1e-4 * k, 0.1};
-        for (const Model& another : others) {
-            Model::State its_own = another.steady(value);
-            its_own.distance = k % 4 == 0 ? dq : 0;
-            if (k % 5 == 0) another.advance(its_own, {k % 2 == 0 ? dq : 0.15 * a, value}, next, used);
-        }
-        if (k % 4 == 0) model.advance(now, {0.25 * a, value}, next, used);
-        Model::Workspace fresh = model.workspace();
-        const AdhesionModel<2>::Step expected = model.advance(now, {dq, value}, other, fresh);
-        const AdhesionModel<2>::Step found = model.advance(now, {dq, value}, next, used);
-        REQUIRE(found.status == Status::ok);
-        CHECK(vector(found.force) == vector(expected.force));
-        CHECK(matrix(found.tangent) == matrix(expected.tangent));
-        CHECK(next.traction == other.traction);
-        std::swap(now, next);
     }
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("Every law of friction begins at mu_0, is finite and not negative, and
             for (const auto& parameter : row.parameters) CHECK(columns.insert(parameter.column).second);
             CHECK(row.holds(example.taken));
             for (const std::vector<double>& parameters : example.refused) CHECK_FALSE(row.holds(parameters));
-            const rollbem::FrictionLaw law = row.law(example.taken);
+            const rollbem::Friction::Law law = row.law(example.taken);
             REQUIRE_FALSE(law.is_constant());
             CHECK(law.at_rest() == 1);
             for (const double v : {0.0, 1e-9, 0.5, 2.0, 1e3, 1e300}) {
@@ -43,7 +43,7 @@ TEST_CASE("Every law of friction begins at mu_0, is finite and not negative, and
 }
 
 TEST_CASE("The law that falls passes half its fall at the given velocity", "[law]") {
-    const rollbem::FrictionLaw law = study::friction_laws()[0].law({0.6, 2});
+    const rollbem::Friction::Law law = study::friction_laws()[0].law({0.6, 2});
     CHECK(law.of_slip()(2) == Approx(0.8).epsilon(1e-15));
     CHECK(law.of_slip()(1e3) == Approx(0.6).epsilon(1e-15));
 }

@@ -8,18 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
@@ -167,7 +157,7 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
             {1, mu_p0 * mean_hertz_pressure(mesh)});
         const FrictionState rest = model.at_rest();
         FrictionState state = rest;
-        FrictionWorkspace workspace = model.workspace();
+        FrictionModel::Workspace workspace = model.workspace();
         const FrictionStep step =
             model.steady(rest, {.motion = Creepage{2 * (1 - nu) * mu_p0 * delta}}, state, workspace);
         REQUIRE(step.status == Status::ok);

@@ -3,9 +3,9 @@
 namespace any_model {
 
 FrictionModel make(const Setup& setup, bool steady) {
-    const FrictionLaw chosen = setup.any     ? FrictionLaw(*setup.any)
-                               : setup.falls ? FrictionLaw(setup.falling)
-                                             : FrictionLaw(setup.constant);
+    const Friction::Law chosen = setup.any     ? Friction::Law(*setup.any)
+                                 : setup.falls ? Friction::Law(setup.falling)
+                                               : Friction::Law(setup.constant);
     const Friction friction{chosen, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
     const Contact contact = setup.contact();
     if (setup.directions == 2) {

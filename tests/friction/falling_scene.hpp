@@ -13,7 +13,7 @@ namespace falling_tests {
 
 using namespace rollbem;
 using Law = ExponentialFall;
-using Memory = FrictionMemory;
+using Memory = Friction::Memory;
 using Motion = FrictionModel::Motion;
 using State = FrictionState;
 using Step = FrictionStep;

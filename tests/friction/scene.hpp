@@ -5,12 +5,7 @@
 #include <utility>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 namespace friction_tests {
 
@@ -54,7 +49,7 @@ struct Scene {
 inline FrictionStep from_scratch(const FrictionModel& model, double xi) {
     const FrictionState rest = model.at_rest();
     FrictionState state = rest;
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     return model.steady(rest, {.motion = Creepage{xi}}, state, workspace);
 }
 

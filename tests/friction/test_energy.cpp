@@ -128,7 +128,7 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel model = scene.transient(integrator);
         FrictionState now = model.at_rest(), next = now;
-        FrictionWorkspace workspace = model.workspace();
+        FrictionModel::Workspace workspace = model.workspace();
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);

@@ -8,13 +8,7 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 #include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"
@@ -78,7 +72,7 @@ struct SineLoad {
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
     const FrictionModel model = scene.model(integrator);
-    FrictionWorkspace workspace = model.workspace();
+    FrictionModel::Workspace workspace = model.workspace();
     FrictionState now = model.at_rest(), next = now;
     NormalLoad load = scene.hertz.at(sine(0));
     FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);

@@ -5,12 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -67,7 +62,7 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
         const FrictionModel model = scene.steady();
         const FrictionState rest = model.at_rest();
         FrictionState state = rest;
-        FrictionWorkspace workspace = model.workspace();
+        FrictionModel::Workspace workspace = model.workspace();
         const FrictionStep point = model.steady(rest, {.motion = Creepage{creepage(0.4)}}, state, workspace);
         const VectorX<double> slip = workspace.slip().col(0);
         const double widest = scene.mesh.widths().maxCoeff();

@@ -5,14 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "extremes/drawn.hpp"
 #include "friction/same_bits.hpp"
@@ -42,7 +35,7 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
             const AdhesionModel<> full_adhesion(scene.contact, scene.system(), unchecked, integrator);
             const FrictionModel model = grippy.transient(integrator), slippery = scene.transient(integrator);
             FrictionState now = model.at_rest(), next = now, small_now = slippery.at_rest(), small_next = small_now;
-            FrictionWorkspace workspace = model.workspace(), small_workspace = slippery.workspace();
+            FrictionModel::Workspace workspace = model.workspace(), small_workspace = slippery.workspace();
             AdhesionModel<>::State linear_now = full_adhesion.at_rest(), linear_next = linear_now;
             AdhesionModel<>::Workspace linear_workspace = full_adhesion.workspace();
             using LinearMotion = RigidMotion<double>;
@@ -84,7 +77,7 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
             const FrictionModel model = scene.transient();
             const FrictionState rest = model.at_rest();
             FrictionState shifted = rest;
-            FrictionWorkspace workspace = model.workspace();
+            FrictionModel::Workspace workspace = model.workspace();
             const double shift = peak * cattaneo_shift(force, nu, 100.0);
             const FrictionStep step = model.advance(rest, {0, Motion::shift({shift})}, shifted, workspace);
             sizes.push_back(static_cast<double>(n));
@@ -140,7 +133,7 @@ TEST_CASE("Matrices that do not belong to elements are rejected by name", "[fric
     // no friction, no force; no pressure at an element, no traction there
     const FrictionModel smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     FrictionState next = smooth.at_rest();
-    FrictionWorkspace workspace = smooth.workspace();
+    FrictionModel::Workspace workspace = smooth.workspace();
     CHECK(smooth.advance(smooth.at_rest(), {0.1, Creepage{1e-3}}, next, workspace).force.longitudinal == 0);
     scene.friction.normal_pressure[5] = 0;
     const FrictionModel gap = scene.transient();
@@ -172,7 +165,7 @@ TEST_CASE("What a workspace has solved before changes no bit of a step", "[frict
         const Scene scene(cosine_mesh<double>(12)), slippery(cosine_mesh<double>(12), half, 0.6);
         const std::array<FrictionModel, 2> models{scene.transient(integrator), slippery.transient(integrator)};
         std::array<FrictionState, 2> now{models[0].at_rest(), models[1].at_rest()};
-        FrictionWorkspace used = models[0].workspace();
+        FrictionModel::Workspace used = models[0].workspace();
         int refused = 0;
         for (int k = 0; k < 150; ++k) {
             const auto which = static_cast<std::size_t>(draw.integer(2));
@@ -186,7 +179,7 @@ TEST_CASE("What a workspace has solved before changes no bit of a step", "[frict
             if (kind < 2) step.load = load;
             FrictionState from = state;
             if (kind == 2) from.normal_pressure[draw.integer(12)] = -1;
-            FrictionWorkspace fresh = model.workspace();
+            FrictionModel::Workspace fresh = model.workspace();
             FrictionState one = from, other = from;
             const FrictionStep a = model.advance(from, step, one, used), b = model.advance(from, step, other, fresh);
             CAPTURE(k, kind, which, a.status, b.status);

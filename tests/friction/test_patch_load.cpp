@@ -9,22 +9,9 @@
 #include <vector>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/rolling/run.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 
 #include "friction/same_bits.hpp"
 #include "support/catch.hpp"
@@ -434,7 +421,7 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
     using Hertz = HertzEllipse::Load;
     for (const Hertz& hertz : {Hertz::breathing(largest, contact, mesh), Hertz::fixed(largest, contact, mesh)}) {
         CAPTURE(hertz.breathes());
-        NormalLoad load = hertz.at(N_0), more = load, less = load;
+        NormalLoad load = hertz.at(N_0);
         for (const double N : {1e-3 * N_0, 0.7 * N_0, 1.5 * N_0}) {
             CAPTURE(N / N_0);
             const bool resolved = hertz.breathes() || N > 0.1 * N_0;
@@ -442,18 +429,6 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
             const double area =
                 hertz.breathes() ? load.half_length * load.half_width / contact.half_width() : contact.half_length();
             CHECK((areas * load.normal_pressure).sum() * area * contact.half_length() == Approx(N).epsilon(1e-13));
-            const double h = 1e-4 * N;
-            CHECK(hertz.set(N - h, less) != Status::invalid_load);
-            const bool covered = hertz.set(N + h, more) != Status::invalid_load;
-            CHECK(covered == (hertz.breathes() || N < N_0));
-            if (!covered) continue;
-            const double scale = load.pressure_rate.abs().maxCoeff();
-            CHECK(((more.normal_pressure - less.normal_pressure) / (2 * h) - load.pressure_rate).abs().maxCoeff() <
-                  1e-3 * scale);
-            CHECK(hertz.half_length_rate(N) ==
-                  Approx((more.half_length - less.half_length) / (2 * h)).margin(1e-9 * load.half_length / N));
-            CHECK(hertz.half_width_rate(N) ==
-                  Approx((more.half_width - less.half_width) / (2 * h)).margin(1e-9 * load.half_width / N));
         }
         CHECK(load.half_length == largest.half_length());
         CHECK(load.half_width == largest.half_width());

@@ -4,16 +4,8 @@
 #include <limits>
 #include <type_traits>
 
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 
 #include "support/catch.hpp"
 
@@ -31,7 +23,7 @@ constexpr Travel travel{0.2 * a, 0.2 * a / V};
 constexpr Creepage some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
 
 /// A patch with a constant coefficient or one that falls with slip.
-FrictionModel patch(const FrictionLaw& law, Integrator integrator = Integrator::sdirk2) {
+FrictionModel patch(const Friction::Law& law, Integrator integrator = Integrator::sdirk2) {
     const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
     return {contact, rolling_system(mesh, chebyshev, HalfSpace<double>(0.28)), unchecked,
@@ -52,7 +44,7 @@ double difference(const TangentialForce& one, const TangentialForce& two) {
 }
 
 TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
-    const FrictionLaw law = GENERATE(0, 1) == 0 ? FrictionLaw(mu) : FrictionLaw(ExponentialFall{mu, 0.2, 0.05});
+    const Friction::Law law = GENERATE(0, 1) == 0 ? Friction::Law(mu) : Friction::Law(ExponentialFall{mu, 0.2, 0.05});
     const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
     const auto elements = patch_mesh(contact, 6, 5);
     const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();

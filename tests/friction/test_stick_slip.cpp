@@ -312,8 +312,9 @@ TEST_CASE("Elements that stick do so to rounding though their equations are ill-
         REQUIRE(outcome.status == Status::ok);
         REQUIRE(outcome.stick_count == n);
         REQUIRE(outcome.rounds > 1);  // one step is not enough
+        // the last refinement accepts 1000 times the rounding of c
         REQUIRE(problem.slip(outcome.traction()).cwiseAbs().maxCoeff() <
-                1e-13 * problem.constant.cwiseAbs().maxCoeff());
+                1e-11 * problem.constant.cwiseAbs().maxCoeff());
     }
     CHECK(repeated == 20);
 }

@@ -8,16 +8,8 @@
 #include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/rolling/run.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/friction/detail/slip_rotation.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -36,7 +28,7 @@ constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sd
 
 using State = FrictionState;
 using Step = FrictionStep;
-using Workspace = FrictionWorkspace;
+using Workspace = FrictionModel::Workspace;
 using Model = FrictionModel;
 using Motion = RigidMotion<Creepage>;
 
@@ -300,6 +292,35 @@ TEST_CASE("Directions that do not belong together, or one of which grows, are re
         CHECK_FALSE(verdict.stable());
         CHECK(judged(pair, settled).find("FrictionModel: share of steady traction that assists the creepage = ") == 0);
     }
+}
+
+TEST_CASE("Halved angles change at half the rate", "[friction]") {
+    const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1});
+    detail::Roles<2> roles(3);
+    detail::Vectors<2> slip(3, 2), change(3, 2);
+    slip << 1, 0.2, 0.8, 0.6, 1.1, -0.3;
+    change << 0.3, -0.1, 0.2, 0.4, -0.5, 0.1;
+    for (Eigen::Index i = 0; i < 3; ++i) roles.slide(i, Eigen::RowVector2d(-slip.row(i)));
+    detail::SlipRotation<2> rotation(3);
+    REQUIRE(rotation.find(centres, slip, roles));
+    const auto angles = [&] {
+        Eigen::Vector3d result;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const Eigen::RowVector2d turned = rotation.turned(i, Eigen::RowVector2d(1, 0));
+            result[i] = std::atan2(turned[1], turned[0]);
+        }
+        return result;
+    };
+    const auto rates = [&] {
+        Eigen::VectorXd result(3);
+        rotation.find_angle_change(centres, change, result);
+        return result;
+    };
+    const Eigen::Vector3d whole = angles(), rate = rates();
+    CHECK(rate.norm() > 0.05);
+    rotation.halve();
+    CHECK((angles() - whole / 2).norm() < 1e-15);
+    CHECK((rates() - rate / 2).norm() < 1e-15);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/normal/detail/patch_shape.hpp>
-#include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/detail/sufficient_cells.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/normal/detail/patch_shape.hpp>
+#include <rollbem/normal/detail/region_solver.hpp>
+#include <rollbem/normal/detail/sufficient_cells.hpp>
 
 #include "extremes/deformed_gap.hpp"
 #include "support/catch.hpp"
@@ -77,6 +77,26 @@ const ElasticBody& steel() {
 }
 
 }  // namespace
+
+TEST_CASE("contact_search: contacts part where the depth falls below three quarters of both maxima", "[profiles]") {
+    const auto parts = [](double second, double angle) {
+        std::vector<detail::PenetrationSample> samples;
+        for (const double depth : {0.0, 1.0, 0.5, second, 0.0}) {
+            const bool before = samples.size() < 2;
+            samples.push_back(
+                {.wheel_s = 0,
+                 .x = 0,
+                 .y = 0,
+                 .z = 0,
+                 .closest = {.s = 0, .y = 0, .z = 0, .depth = depth, .slope = {1, before ? 0 : -angle}, .inside = true},
+                 .width = 1});
+        }
+        return detail::find_split(samples.begin(), samples.end()) != samples.end();
+    };
+    CHECK(parts(0.7, 0.5));
+    CHECK_FALSE(parts(0.6, 0.5));  // 0.5 is more than three quarters of the lesser maximum
+    CHECK_FALSE(parts(0.7, 0.3));  // normals less than 20 degrees apart
+}
 
 TEST_CASE("contact_search: two crowns carry half of the load each, and displace each other", "[profiles]") {
     const Profile crowns = piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6; });

@@ -39,7 +39,7 @@ double exact_mean(const HertzLine& hertz, double low, double high) {
     return hertz.peak_pressure() * a * sum * half / (high - low);
 }
 
-TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[hertz][load]") {
+TEST_CASE("Hertz's load on a breathing mesh has exact pressures", "[hertz][load]") {
     const Mesh<double> mesh = cosine_mesh<double>(17);
     const HertzLine::Load hertz = HertzLine::Load::breathing(line, mesh);
     CHECK(hertz.breathes());
@@ -53,15 +53,10 @@ TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[he
         CHECK(load.half_length == Approx(there.half_length()).epsilon(1e-14));
         CHECK((load.normal_pressure / there.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
         CHECK((load.normal_pressure * mesh.widths()).sum() * load.half_length == Approx(P).epsilon(1e-13));
-        const double h = 1e-5 * P;
-        const NormalLoad more = hertz.at(P + h), less = hertz.at(P - h);
-        const ArrayX<double> rate = (more.normal_pressure - less.normal_pressure) / (2 * h);
-        CHECK((load.pressure_rate / rate - 1).abs().maxCoeff() < 1e-9);
-        CHECK(hertz.half_length_rate(P) == Approx((more.half_length - less.half_length) / (2 * h)).epsilon(1e-9));
     }
 }
 
-TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz][load]") {
+TEST_CASE("Hertz's load on a fixed mesh has exact pressures", "[hertz][load]") {
     for (const bool uniform : {true, false}) {
         for (const Eigen::Index n : {1, 2, 12, 13, 200}) {
             const Mesh<double> mesh = uniform ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
@@ -78,9 +73,7 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
                       Approx(P).epsilon(1e-12 + 1e-15 * length / there.half_length()));
                 CHECK((load.pressure_rate * mesh.widths()).sum() * length == Approx(1).epsilon(1e-12));
                 const ArrayX<double> edges = mesh.edges() * length;
-                double worst = 0, worst_rate = 0, free = 0;
-                const double h = 1e-4 * P;
-                const NormalLoad less = hertz.at(P - h), more = hertz.at(P + h);
+                double worst = 0, free = 0;
                 for (Eigen::Index i = 0; i < n; ++i) {
                     const double exact = exact_mean(there, edges[i], edges[i + 1]);
                     worst = std::max(worst, std::abs(load.normal_pressure[i] - exact) / there.peak_pressure());
@@ -88,13 +81,8 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
                         edges[i] * edges[i + 1] > 0) {
                         free = std::max(free, load.normal_pressure[i] / there.peak_pressure());
                     }
-                    if (n > 20) continue;  // an edge of the contact may pass an edge of an element in between
-                    const double rate = (more.normal_pressure[i] - less.normal_pressure[i]) / (2 * h);
-                    worst_rate =
-                        std::max(worst_rate, std::abs(load.pressure_rate[i] - rate) * P / there.peak_pressure());
                 }
                 CHECK(worst < 1e-13 * there.half_length() / (length * mesh.widths().minCoeff()) + 1e-13);
-                CHECK(worst_rate < 1e-5);
                 CHECK(free < 1e-20);  // round-off where an edge of the contact coincides with one of an element
             }
             // no load: contact is about to begin in the middle

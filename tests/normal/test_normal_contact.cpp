@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/normal/detail/patch_shape.hpp>
 #include <rollbem/normal/normal_contact.hpp>
+#include <rollbem/normal/detail/patch_shape.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include <rollbem/normal/detail/profile_direction.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_file.hpp>
 
@@ -297,6 +298,17 @@ TEST_CASE("profile_file: MiniProf's z is turned where the shape says so", "[prof
         groove += std::to_string(y) + ' ' + std::to_string(up * z) + '\n';
     }
     CHECK_FALSE(is_turned(read("a.ban", groove)));
+}
+
+TEST_CASE("profile_file: a flange is twice as high as a crest on the other side", "[profiles]") {
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(300, 0, 0.12);
+    const auto with_crests = [&](double up, double down) -> Eigen::ArrayXd {
+        const auto hill = [&](double at) { return (1 - ((y - at) / 0.01).square()).max(0); };
+        return down * hill(0.08) - up * hill(0.03);
+    };
+    CHECK(detail::flange_points_up(y, with_crests(20e-3, 9e-3)));
+    CHECK_FALSE(detail::flange_points_up(y, with_crests(20e-3, 11e-3)));
+    CHECK_FALSE(detail::flange_points_up(y, with_crests(9e-3, 0)));
 }
 
 TEST_CASE("profile_file: mirrors are applied and noted", "[profiles]") {

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/normal/detail/contact_region.hpp>
-#include <rollbem/normal/detail/elliptic_integrals.hpp>
-#include <rollbem/normal/detail/rail_samples.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/normal/detail/contact_region.hpp>
+#include <rollbem/normal/detail/elliptic_integrals.hpp>
+#include <rollbem/normal/detail/rail_samples.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -22,9 +22,9 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -505,6 +505,19 @@ RollingPower power_of(const WheelsetForces& rolling, WheelsetSpeeds speeds) {
         }
     }
     return power;
+}
+
+TEST_CASE("wheelset_forces: a free pitch balances creepages, not slips", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const WheelsetRolling rolling{.position = {.lateral = 2e-3, .yaw = 5e-3},
+                                  .speeds = {.forward = 20, .yaw_rate = 0.4}};
+    const auto free = rolling_forces(wheelset, rolling, {.elements = 4, .strips = 5}, workspace);
+    REQUIRE(has_numbers(free.contacts.status));
+    const double left = free.patches[0].at(0).creepage.longitudinal,
+                 right = free.patches[1].at(0).creepage.longitudinal;
+    CHECK(std::abs(left) > 1e-3);
+    CHECK(std::abs(left + right) < 1e-12);
 }
 
 TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profiles]") {

@@ -11,12 +11,7 @@
 #include <utility>
 
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
@@ -101,8 +96,8 @@ void ride(Draw& draw, Tally& tally) {
     const FrictionModel two(contact, {x, y}, unchecked, law, integrator);
     FrictionState one_now = one.at_rest(), one_next = one_now;
     FrictionState two_now = two.at_rest(), two_next = two_now;
-    FrictionWorkspace one_workspace = one.workspace();
-    FrictionWorkspace two_workspace = two.workspace();
+    FrictionModel::Workspace one_workspace = one.workspace();
+    FrictionModel::Workspace two_workspace = two.workspace();
     NormalLoad load{law.normal_pressure, a_0, {}};
     Vectors p = Vectors::Zero(n, 2);
     double a = 1;

@@ -50,7 +50,7 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
 /// (in a, as imposed slip and slip) from `before`, with slip that is not turned. `duration` [s] is the time of the
 /// step, or of the passage of one half-length. A state without coefficients has the constant one of `law`.
 template <class Scalar, class Law>
-Violation<Scalar> violation(const Law& law, const FrictionMemory& memory, const ElementSystem<Scalar, 2>& system,
+Violation<Scalar> violation(const Law& law, const Friction::Memory& memory, const ElementSystem<Scalar, 2>& system,
                             Scalar half_length, Scalar shear_modulus, Scalar way, const std::array<Scalar, 2>& imposed,
                             Scalar duration, const FrictionState* before, const FrictionState& after) {
     using std::abs;
@@ -169,7 +169,7 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
         return result;
     };
     setup.own_pressure = pressures(false);
-    const FrictionMemory memory{setup.distance, setup.least};
+    const Friction::Memory memory{setup.distance, setup.least};
     const ElementSystem<double, 2> system(setup.system(false), setup.system(true));
     Ride ride(setup);
     Load load{*setup.own_pressure, a, {}};

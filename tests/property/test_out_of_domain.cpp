@@ -6,20 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/detail/plane_model.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/scene/contact.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/spectral/polynomial.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -110,6 +110,10 @@ TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored o
         outline_mesh<double>(outline({-1, 0, 1}, {-1, -2, -1}, {1, 3, 1}), 2, cosine_mesh(3), cosine_mesh(5));
     CHECK(bulge.is_mirrored());
     CHECK(bulge.middles_x()[2] == 0.25);
+    // sheared: the strips' middles lie ahead on one side and behind on the other
+    CHECK_FALSE(
+        PatchMesh<double>({cosine_mesh(2), array({-1, 0, 1}), array({-0.5, 0.5}), array({-0.1, 0.1}), array({1, 1})})
+            .is_mirrored());
     CHECK(bulge.half_lengths()[2] == 1.25);
     CHECK_THAT(refusal([] {
                    PatchMesh<double>({cosine_mesh(2), array({0, 1}), array({0.5}), array({0}), array({0})});

@@ -50,43 +50,4 @@ inline CreepForceTable table(int levels, int shapes) {
 
 inline Eigen::Array3d array(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
-/// By how much a tangent differs at most from the difference of `force(step)` over steps of 1e-5 times `size`, over mu
-/// N and mu N c.
-template <class Force>
-double tangent_error(const Force& force, double size, const TangentialForce& tangent, const PatchContact& patch,
-                     double mu_N) {
-    constexpr double step = 1e-5;
-    const Eigen::Array3d difference = (array(force(step * size)) - array(force(-step * size))) / (2 * step);
-    return ((difference - size * array(tangent)) / (Eigen::Array3d(1, 1, patch.c()) * mu_N)).abs().maxCoeff();
-}
-
-/// The largest of these errors of the tangents `at` a contact, of `force(contact, mu, N, creepage)`, `unit` being the
-/// size of creepages.
-template <class Force, class Tangents>
-double tangent_error(const Force& force, const Tangents& at, const PatchContact& patch, double mu, double N,
-                     const Creepage& v, const Creepage& unit) {
-    const double a = patch.half_length(), b = patch.half_width();
-    const auto sized = [&](double x, double y) {
-        return PatchContact({x, y, patch.shear_modulus(), patch.poisson_ratio()});
-    };
-    const auto error = [&](const auto& of, double size, const TangentialForce& tangent) {
-        return tangent_error(of, size, tangent, patch, mu * N);
-    };
-    const auto by_creepage = [&](double Creepage::*which, const TangentialForce& tangent) {
-        const auto of = [&](double step) {
-            Creepage changed = v;
-            changed.*which += step;
-            return force(patch, mu, N, changed);
-        };
-        return error(of, unit.*which, tangent);
-    };
-    return std::max(
-        {by_creepage(&Creepage::longitudinal, at.tangent.by_longitudinal),
-         by_creepage(&Creepage::lateral, at.tangent.by_lateral), by_creepage(&Creepage::spin, at.tangent.by_spin),
-         error([&](double step) { return force(patch, mu, N + step, v); }, N, at.tangent_by_load),
-         error([&](double step) { return force(patch, mu + step, N, v); }, mu, at.tangent_by_friction_coefficient),
-         error([&](double step) { return force(sized(a + step, b), mu, N, v); }, a, at.tangent_by_half_length),
-         error([&](double step) { return force(sized(a, b + step), mu, N, v); }, b, at.tangent_by_half_width)});
-}
-
 }  // namespace creep_forces

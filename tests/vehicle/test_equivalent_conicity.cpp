@@ -162,6 +162,12 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
     CAPTURE(order);
     CHECK((order > 3.5 && order < 4.5));
 
+    // the harmonic wave of k y + c y^2 is balanced about m, k m + c m^2 + c A^2/2 = 0
+    const double k = 0.2, c = 10, m = (std::sqrt(k * k - 2 * c * c * A * A) - k) / (2 * c);
+    const RadiusDifference::Conicity bent =
+        equivalent_conicity(formula([=](double y) { return 2 * (k * y + c * y * y); }), A);
+    CHECK(std::abs(bent.tan_gamma_linear / (k + 2 * c * m) - 1) < 1e-6);
+
     const double step = 1e-3;
     const RadiusDifference::Conicity of_step =
         equivalent_conicity(formula([=](double y) { return y < 0   ? -step

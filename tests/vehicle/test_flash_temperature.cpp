@@ -74,6 +74,21 @@ TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "
     CHECK(std::isnan(sliding({.coefficient = mu}).peak_temperature));
 }
 
+TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profiles]") {
+    RailPatch band = ellipse();
+    const Eigen::ArrayXd ends = Eigen::ArrayXd::Constant(2, a);
+    band.outline.emplace(Eigen::ArrayXd{{-b, b}}, -ends, ends);
+    band.pressure.setConstant(band.peak_pressure);
+    band.load = 4 * a * b * band.peak_pressure;
+    const Heating heating;
+    const PatchForce found = patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, TrackDimensions{},
+                                         {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+    REQUIRE(found.status == Status::ok);
+    const double heat = mu * slide * band.peak_pressure;
+    CHECK_THAT(found.peak_temperature,
+               WithinRel(heat * std::sqrt(heating.diffusivity() * 2 * a / (std::numbers::pi * 30)) / 50, 0.04));
+}
+
 TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
     RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
     const PatchForce cold = sliding(friction);
@@ -107,6 +122,13 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     CHECK(of().status == Status::not_converged);
     CHECK(std::isnan(of().force.longitudinal));
     CHECK(of().strip_work.size() == 0);
+    // nor has a wheel that slides on one place of its own
+    friction.heating->friction.reset();
+    for (const double creepage : {0.15, 0.3}) {
+        const WheelsetSpeeds slips{.forward = 30 * (1 - creepage / 2), .pitch_rate = -30 * (1 + creepage / 2) / radius};
+        const PatchForce found = patch_force(ellipse(), {}, slips, TrackDimensions{}, friction);
+        CHECK(std::isnan(found.peak_temperature) == (creepage > 0.2));
+    }
 }
 
 TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {

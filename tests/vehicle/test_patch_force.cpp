@@ -9,8 +9,8 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/wheelset.hpp>
-#include <rollbem/vehicle/detail/patch_elements.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/detail/patch_elements.hpp>
 
 #include "support/catch.hpp"
 
@@ -76,6 +76,7 @@ TEST_CASE("Creepages of a mirror image are mirror images of creepages, and force
     CHECK(image.force.lateral == Approx(force.force.lateral).epsilon(1e-9));
     CHECK(image.force.moment == Approx(force.force.moment).epsilon(1e-9));
     CHECK((image.edges - force.edges).abs().maxCoeff() < 1e-12);
+    CHECK((image.strip_work - force.strip_work).abs().maxCoeff() < 1e-9 * force.slip_work);
 
     const WheelsetForces::Wrench wrench = wrench_of(scene.patch, force, 0.1, 0.2);
     const double y = mirror.of_vector()[1] * 0.1;
@@ -137,6 +138,23 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
     }
     CHECK(elements_for(patch).strips == lobes.strips);
     CHECK(elements_for(patch).along == 12);
+}
+
+TEST_CASE("At the gauge corner each strip has the friction of the rail's surface below it", "[profiles]") {
+    const Scene scene;
+    const RollingFriction friction{
+        .elements = 4, .strips = 9, .rail = RailFriction(RailFriction::Over::y, {-0.05, 0.05}, {0, 1})};
+    const PatchForce slides =
+        patch_force(scene.patch, scene.at, {.forward = 2, .pitch_rate = -2}, wheel().dimensions(), friction);
+    REQUIRE(slides.status == Status::ok);
+    double apart = 0;
+    for (const LoadedRectangle& element : slides.surface) {
+        const double y = scene.patch.surface_y((element.y_1 + element.y_2) / 2);
+        const double traction = std::hypot(element.traction_x, element.traction_y);
+        CHECK(traction == Approx(10 * (y + 0.05) * element.pressure).epsilon(1e-6));
+        apart = std::max(apart, std::abs(y - scene.patch.rail_y - (element.y_1 + element.y_2) / 2));
+    }
+    CHECK(apart > 1e-4);
 }
 
 TEST_CASE("Friction of a patch with two lobes is nearer to that on many strips than on 13", "[profiles]") {

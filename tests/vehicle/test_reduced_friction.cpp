@@ -5,15 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"
@@ -26,7 +19,7 @@ namespace reduced_friction_tests {
 using namespace rollbem;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using creep_forces::array, creep_forces::tangent_error;
+using creep_forces::array;
 
 namespace {
 
@@ -131,29 +124,6 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
     }
 }
 
-TEST_CASE("reduced_friction: tangents are derivatives") {
-    const ReducedFriction friction(wet);
-    drawn::Draw draw(4);
-    double worst = 0;
-    for (int i = 0; i < 200; ++i) {
-        const PatchContact patch = ellipse(draw.decades(-0.9, 0.9));
-        const double level = draw.decades(-1, 1), speed = draw.uniform(1, 40);
-        const Creepage v = creepage(patch, level, draw);
-        const double of = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
-        const ReducedFriction::Force at = friction.look_up(steel(), patch, mu_0, load, speed, v);
-        const auto force = [&](const PatchContact& where, double mu, double N, const Creepage& by) {
-            return friction.look_up(steel(), where, mu, N, speed, by).force;
-        };
-        const auto by_speed = [&](double step) {
-            return friction.look_up(steel(), patch, mu_0, load, speed + step, v).force;
-        };
-        const double error = std::max(tangent_error(force, at, patch, mu_0, load, v, {of, of, of / patch.c()}),
-                                      tangent_error(by_speed, speed, at.tangent_by_speed, patch, mu_0 * load));
-        worst = std::max(worst, error / std::max(1.0, level));
-    }
-    CHECK(worst < 1e-6);
-}
-
 TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, load or friction") {
     CHECK(refusal([] { ReducedFriction({.adhesion_factor = 1.5}); }) ==
           "ReducedFriction: adhesion_factor = 1.5 must lie in (0, 1]");
@@ -165,7 +135,7 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
           "ReducedFriction: slip_factor = 0 must be positive and at most adhesion_factor");
     CHECK(refusal([] { ReducedFriction({.friction_ratio = -0.1}); }) ==
           "ReducedFriction: friction_ratio = -0.1 must lie in [0, 1]");
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal([&] { ReducedFriction({.friction_ratio = nan}); }) ==
           "ReducedFriction: friction_ratio = nan must lie in [0, 1]");
     CHECK(refusal([] { ReducedFriction({.fall = -1}); }) ==
@@ -178,13 +148,6 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
     const auto at = [&](double mu, double N, double V, const Creepage& v) {
         return friction.look_up(table, patch, mu, N, V, v);
     };
-    CHECK(at(mu_0, load, -1, {}).status == Status::invalid_step);
-    CHECK(at(mu_0, load, nan, {}).status == Status::not_finite);
-    CHECK(at(mu_0, load, inf, {}).status == Status::not_finite);
-    CHECK(at(mu_0, load, 1, {0, nan, 0}).status == Status::not_finite);
-    CHECK(at(mu_0, -1, 1, {}).status == Status::invalid_load);
-    CHECK(at(-0.1, load, 1, {}).status == Status::invalid_load);
-    CHECK(std::isnan(at(mu_0, load, -1, {}).force.lateral));
     CHECK(friction.look_up(table, PatchContact({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
           Status::wrong_table);
     for (const ReducedFriction::Force& nothing :

@@ -6,18 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/closed_form/carter.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
-#include <rollbem/vehicle/simplified_theory.hpp>
+#include <rollbem/line.hpp>
+#include <rollbem/patch.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -70,20 +60,6 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
         CHECK(std::abs(found.longitudinal + bound * exact.longitudinal) < 2e-3 * bound);
         CHECK(std::abs(found.lateral + bound * exact.lateral) < 5e-3 * bound);
         CHECK(std::abs(found.moment + bound * ellipse.c() * exact.moment) < 5e-3 * bound * ellipse.c());
-    }
-}
-
-TEST_CASE("Mirror images of creepages have mirror images of forces", "[simplified]") {
-    const By which = GENERATE(By::fastsim, By::fastrip);
-    for (const Creepage& at : {creepage(0.5, 0.3, 0.4), creepage(1, -0.5, 2), creepage(-0.1, 0.2, -0.3)}) {
-        const auto one = force(which, at, {}), across = force(which, {at.longitudinal, -at.lateral, -at.spin}, {}),
-                   opposite = force(which, {-at.longitudinal, -at.lateral, -at.spin}, {});
-        const double size = 1e-12 * mu * load;
-        CHECK(std::abs(across.longitudinal - one.longitudinal) < size);
-        CHECK(std::abs(across.lateral + one.lateral) < size);
-        CHECK(std::abs(across.moment + one.moment) < size);
-        CHECK(std::abs(opposite.longitudinal + one.longitudinal) < size);
-        CHECK(std::abs(opposite.lateral + one.lateral) < size);
     }
 }
 

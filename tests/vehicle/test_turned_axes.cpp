@@ -1,5 +1,4 @@
-// rollbem/scene/patch_contact.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
-// and patches.
+// rollbem/scene/patch_contact.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse in patches.
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +10,6 @@
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
-#include "vehicle/creep_force_scene.hpp"
 
 namespace turned_axes_tests {
 
@@ -22,11 +20,9 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr double mu = 0.3, load = 8e4, modulus = 8e10, nu = 0.28, c = 5e-3, pi = std::numbers::pi;
+constexpr double load = 8e4, nu = 0.28, c = 5e-3, pi = std::numbers::pi;
 
 SemiAxes axes_of(double a_over_b) { return {c * std::sqrt(a_over_b), c / std::sqrt(a_over_b)}; }
-
-Eigen::Vector3d vector(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
 /// A wheel and a rail whose planes are turned by a yaw.
 HertzEllipse with_yaw(double yaw, double rail = 0.3) {
@@ -66,43 +62,6 @@ TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a
     for (const double turn : {-1.0, 0.3, 2.0}) {
         CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_length, WithinRel(c, 1e-15));
         CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_width, WithinRel(c, 1e-15));
-    }
-}
-
-TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to the turn") {
-    const CreepForceTable table = creep_forces::table(6, 5);
-    const Creepage creepage{3e-4, -5e-4, 0.1};
-    const auto force_at = [&](const SemiAxes& axes) {
-        return table.look_up(PatchContact({axes.half_length, axes.half_width, modulus, nu}), mu, load, creepage);
-    };
-    for (const double turn : {-0.6, 0.0, 0.2, 1.1}) {
-        const SemiAxes axes = axes_of(1.6);
-        const SemiAxes::AlongRolling at = rolling_ellipse(axes, turn);
-        const auto [a, b] = axes;
-        const double h = 2e-5;
-        const auto check = [&](const SemiAxes& slope, const SemiAxes& more, const SemiAxes& less, double step,
-                               double unit) {
-            CHECK_THAT((more.half_length - less.half_length) / (2 * step) / unit,
-                       WithinAbs(slope.half_length / unit, 1e-8));
-            CHECK_THAT((more.half_width - less.half_width) / (2 * step) / unit,
-                       WithinAbs(slope.half_width / unit, 1e-8));
-        };
-        CAPTURE(turn);
-        const SemiAxes more = rolling_ellipse(axes, turn + h).axes, less = rolling_ellipse(axes, turn - h).axes;
-        check(at.by_turn, more, less, h, c);
-        check(at.by_half_length, rolling_ellipse({a * (1 + h), b}, turn).axes,
-              rolling_ellipse({a * (1 - h), b}, turn).axes, a * h, 1);
-        check(at.by_half_width, rolling_ellipse({a, b * (1 + h)}, turn).axes,
-              rolling_ellipse({a, b * (1 - h)}, turn).axes, b * h, 1);
-
-        const CreepForceTable::Force now = force_at(at.axes);
-        REQUIRE(now.status == Status::ok);
-        const Eigen::Vector3d by_turn = vector(at.by_turn.half_length * now.tangent_by_half_length +
-                                               at.by_turn.half_width * now.tangent_by_half_width);
-        const Eigen::Vector3d difference = (vector(force_at(more).force) - vector(force_at(less).force)) / (2 * h);
-        const Eigen::Vector3d units = mu * load * Eigen::Vector3d(1, 1, c);
-        CHECK((difference - by_turn).cwiseQuotient(units).cwiseAbs().maxCoeff() < 1e-8);
-        if (turn != 0) CHECK(by_turn.cwiseQuotient(units).cwiseAbs().maxCoeff() > 3e-3);
     }
 }
 

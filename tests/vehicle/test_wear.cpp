@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include <rollbem/normal/profile.hpp>
@@ -337,6 +338,19 @@ TEST_CASE("Work of a point without load or without slip", "[wear]") {
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
     CHECK(kalker.c23 == Approx(1.4881).epsilon(2e-2));
+}
+
+TEST_CASE("Of two places of a profile below one another a point lies on the one with its angle", "[wear]") {
+    // more than half a circle, whose ends hang over
+    constexpr double R = 0.03;
+    const Eigen::ArrayXd turn = Eigen::ArrayXd::LinSpaced(1001, -2, 2);
+    const Profile head(R * turn.sin(), R * (1 - turn.cos()), Profile::Use::piece);
+    for (const double at : {1.2, std::numbers::pi - 1.2}) {
+        WheelForces::Point point;
+        point.rail_y = R * std::sin(1.2);
+        point.angle = at;
+        CHECK(arc_length(head, point) == Approx(R * (2 + at)).epsilon(1e-4));
+    }
 }
 
 }  // namespace

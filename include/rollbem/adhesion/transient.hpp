@@ -284,6 +284,14 @@ private:
         return result;
     }
 
+    // Makes `to` a copy of `from`, for a result that is not finite.
+    static Step fail(const State& from, State& to) noexcept {
+        to.traction = from.traction;
+        to.half_length = from.half_length;
+        to.half_width = from.half_width;
+        to.distance = from.distance;
+        return detail::failed<Step>(Status::not_finite);
+    }
     // Completes `to`, whose tractions are known, and returns the result.
     Step finish(const State& from, const SemiAxes& semi_axes, double dq, const Square& tangent,
                 State& to) const noexcept {
@@ -292,13 +300,7 @@ private:
         to.system = fingerprint_;
         to.distance = dq;
         const Inputs force = forces_.of(to.traction, axes(to));
-        if (!detail::all_finite(force) || !detail::all_finite(tangent)) {
-            to.traction = from.traction;
-            to.half_length = from.half_length;
-            to.half_width = from.half_width;
-            to.distance = from.distance;
-            return detail::failed<Step>(Status::not_finite);
-        }
+        if (!detail::all_finite(force) || !detail::all_finite(tangent)) return fail(from, to);
         Step step;
         step.force = force_along(force);
         if (units_.line) step.force_per_width = force_along(force / units_.width);
@@ -329,8 +331,8 @@ private:
     // Takes a step by the stages of the integrator.
     Step solve_stages(const State& from, const RollingStep& step, const TimeStep& rolled, const Problem& problem,
                       State& to, Workspace& workspace) const noexcept;
-    // Adds the derivatives by the semi-axes that the problem asks for.
-    void add_tangents(const Problem& problem, const Stages& stages, const State& to, Step& step) const;
+    // Adds the derivatives by the semi-axes that the problem asks for. False if one is not finite.
+    bool add_tangents(const Problem& problem, const Stages& stages, const State& to, Step& step) const;
 
     Units units_;
     RollingSystem<double> system_;

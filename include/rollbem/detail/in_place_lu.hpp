@@ -10,15 +10,14 @@
 
 #include <Eigen/Core>
 
-#include "../types.hpp"
 #include "finite.hpp"
 
 namespace rollbem::detail {
 
 template <class Scalar>
-using MatrixRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+using MatrixRef = Eigen::Ref<Eigen::MatrixX<Scalar>>;
 template <class Scalar>
-using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
+using VectorRef = Eigen::Ref<Eigen::VectorX<Scalar>>;
 
 /// target -= from u, where `from` are four columns of `count` numbers, `stride` apart: the target is read and written
 /// once instead of four times. The loop takes small pieces of fixed size, because long expressions are not inlined by
@@ -74,7 +73,8 @@ inline Eigen::Index whole_blocks(Eigen::Index count) {
 /// its triangle, and y have whole_blocks() of rows; what follows in y is overwritten. The sum of a row goes by panels
 /// of columns, as in Eigen's products of panels.
 template <Triangle triangle, class Scalar>
-void multiply_triangle(const MatrixX<Scalar>& A, Eigen::Index count, const VectorX<Scalar>& x, VectorX<Scalar>& y) {
+void multiply_triangle(const Eigen::MatrixX<Scalar>& A, Eigen::Index count, const Eigen::VectorX<Scalar>& x,
+                       Eigen::VectorX<Scalar>& y) {
     using Block = Eigen::Array<Scalar, triangle_rows, 1>;
     constexpr Eigen::Index panel = 16;
     for (Eigen::Index i = 0; i < count; i += triangle_rows) {
@@ -93,7 +93,8 @@ void multiply_triangle(const MatrixX<Scalar>& A, Eigen::Index count, const Vecto
 
 /// y = A^T x of the same triangle, by four columns.
 template <Triangle triangle, class Scalar>
-void multiply_transposed(const MatrixX<Scalar>& A, Eigen::Index count, const VectorX<Scalar>& x, VectorX<Scalar>& y) {
+void multiply_transposed(const Eigen::MatrixX<Scalar>& A, Eigen::Index count, const Eigen::VectorX<Scalar>& x,
+                         Eigen::VectorX<Scalar>& y) {
     for (Eigen::Index j = 0; j < count; j += 4) {
         const Eigen::Index width = std::min<Eigen::Index>(4, count - j), row = triangle == Triangle::lower ? j : 0;
         const Eigen::Index height = (triangle == Triangle::lower ? count : j + width) - row;

@@ -206,7 +206,7 @@ ArrayX<Scalar> unknown_widths(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 /// int main() {
 ///     using namespace rollbem;
 ///     const PlaneKernel<double> kernel(100, 0.72, 0.28);
-///     for (const AnyScheme& scheme : {AnyScheme(Galerkin{}), AnyScheme(Collocation{.alpha_L = 0, .alpha_T = 0.63})}) {
+///     for (const AnyScheme& scheme : {AnyScheme(Galerkin{}), AnyScheme(Collocation{})}) {
 ///         if (solve_steady(cosine_mesh(20), scheme, kernel).status != Status::ok) return 1;
 ///     }
 /// }

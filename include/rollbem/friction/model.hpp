@@ -28,34 +28,28 @@ struct FrictionData;     // internal
 struct FrictionScratch;  // internal
 }  // namespace detail
 
-/// Matrix factors and scratch memory of friction. They make steps fast and never change a result. A workspace is made
-/// by a model and fits any model with the same number of elements and directions, the same coupling of directions and
-/// the same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the model and the
-/// distance rolled stay the same, so contacts that are stepped in turn should each have their own workspace. Two
-/// threads must not use one workspace at the same time.
-class FrictionWorkspace {
-public:
-    /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
-    /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
-    /// 0 across the direction of a model of one.
-    ElementVectors slip() const;
-
-    /// Contribution of each element to FrictionStep::slip_work, whose comment says when a contribution may be negative:
-    /// [J], or [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width())
-    /// it is the work per area of contact, on which wear depends.
-    const VectorX<double>& slip_work() const;
-
-private:
-    friend class FrictionModel;
-    explicit FrictionWorkspace(const detail::FrictionData& data);
-
-    detail::Hidden<detail::FrictionScratch> scratch_;  // none only where it was moved from
-};
-
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
 /// may share the law, and copies share its data. A creepage xi > 0 gives a negative force in steady rolling. States,
 /// motions and results have two directions. A model of one direction, which costs less, reads the components along its
 /// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin.
+///
+/// \code
+/// #include <rollbem/line.hpp>
+///
+/// int main() {
+///     using namespace rollbem;
+///     const Contact contact({5e-3, 0.05, 8.2e10, 0.28});  // a, b [m], G [Pa], nu
+///     const Mesh<double> mesh = cosine_mesh(20);
+///     const auto system =
+///         steady_system(mesh, NodeDifference{Nodes::chebyshev}, StripKernel<double>::longitudinal(contact));
+///     const FrictionModel model(contact, system, {0.3, HertzLine::Pressure{1e9}(mesh)});
+///     Run run(model);
+///     for (const double creepage : {5e-4, 1e-3, 2e-3}) {  // a creep curve
+///         const FrictionStep point = run.steady({.motion = Creepage{creepage}});  // starts from the one before
+///         if (point.status != Status::ok || !(point.force.longitudinal < 0)) return 1;
+///     }
+/// }
+/// \endcode
 ///
 /// Steady rolling alone needs only G', which steady_system() makes: the kernel is not integrated for G, no eigenvalue
 /// is judged, and the half-width may be infinite. A model of such a system refuses to advance and to shift
@@ -65,12 +59,6 @@ private:
 /// the residual but with NaN for forces, tangents and works, unless the model is made `unchecked`. Collocation at the
 /// centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, where its force is zero,
 /// but with friction the force converges, with first order, once several elements slip at the trailing edge.
-///
-///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
-///     Run run(model);
-///     for (double creepage : curve) {
-///         const FrictionStep point = run.steady({.motion = Creepage{creepage}});  // starts from the one before
-///     }
 ///
 /// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
 /// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
@@ -95,7 +83,7 @@ private:
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
-///     FrictionWorkspace workspace = model.workspace();
+///     FrictionModel::Workspace workspace = model.workspace();
 ///     FrictionState now = model.at_rest(), next = now;
 ///     const FrictionStep step = model.advance(now, {dq, Creepage{1e-3}}, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
@@ -112,12 +100,35 @@ class FrictionModel {
 public:
     using State = FrictionState;
     using Step = FrictionStep;
-    using Workspace = FrictionWorkspace;
     using Force = TangentialForce;
     using Motion = RigidMotion<Creepage>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
     using RollingStep = rollbem::RollingStep<Motion, detail::GivenLoad<NormalLoad>>;
+
+    /// Matrix factors and scratch memory of friction. They make steps fast and never change a result. A workspace is
+    /// made by a model and fits any model with the same number of elements and directions, the same coupling of
+    /// directions and the same kind of coefficient (constant, or dependent on slip). The factors are kept as long as
+    /// the model and the distance rolled stay the same, so contacts that are stepped in turn should each have their own
+    /// workspace. Two threads must not use one workspace at the same time.
+    class Workspace {
+    public:
+        /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the
+        /// distance slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a
+        /// steady solution. 0 across the direction of a model of one.
+        ElementVectors slip() const;
+
+        /// Contribution of each element to FrictionStep::slip_work, whose comment says when a contribution may be
+        /// negative: [J], or [J/m] for a steady solution. Divided by the element's area (on a line its width times
+        /// Contact::width()) it is the work per area of contact, on which wear depends.
+        const VectorX<double>& slip_work() const;
+
+    private:
+        friend class FrictionModel;
+        explicit Workspace(const detail::FrictionData& data);
+
+        detail::Hidden<detail::FrictionScratch> scratch_;  // none only where it was moved from
+    };
 
     /// One direction of a line contact: `direction`, 0 longitudinal or 1 lateral, is the direction of the system's
     /// kernel. Two directions of a line contact. A patch, whose half_length() is the system's unit of length. `verdict`

@@ -34,9 +34,9 @@ ContactTable::Grid contact_table_grid(double nominal_load = 1e5, double largest_
 ///     using namespace rollbem;
 ///     const auto creep = CreepForceTable::read("share/rollbem/steel.creep");
 ///     const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
-///     // all lines in one process, coarse: 9 shifts, 2 yaws, 4 loads
-///     const auto made = make_contact_table(
-///         wheelset, creep, {.grid = contact_table_grid(80e3, 2e-3, 9, 1e-3, 2), .fits_friction = false});
+///     const ContactTable::Grid grid{.shifts = {-1e-3, -5e-4, 0, 5e-4, 1e-3}, .yaws = {0, 1e-3}, .loads = {80e3}};
+///     // all lines in one process
+///     const auto made = make_contact_table(wheelset, creep, {.grid = grid, .fits_friction = false});
 ///     return made.missing_share == 0 ? 0 : 1;
 /// }
 /// \endcode

@@ -61,7 +61,7 @@ Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::Array
 /// int main() {
 ///     using namespace rollbem;
 ///     const RailFriction greased(RailFriction::Over::angle, {-0.6, -0.2}, {0.15, 0.35});  // gauge face, top
-///     return greased.at(-0.4, 0) == 0.25 ? 0 : 1;
+///     return std::abs(greased.at(-0.4, 0) - 0.25) < 1e-12 ? 0 : 1;
 /// }
 /// \endcode
 class RailFriction {

@@ -161,22 +161,25 @@ auto AdhesionModel<directions_>::solve_stages(const State& from, const RollingSt
     to.traction = from.traction + stages.change();
     const auto per_creepage = [&](std::size_t j) -> const VectorX<double>& { return stages.response(j); };
     Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, rolled.end), to);
-    if (result.status == Status::ok) add_tangents(problem, stages, to, result);
-    return result;
+    if (result.status != Status::ok) return result;
+    return add_tangents(problem, stages, to, result) ? result : fail(from, to);
 }
 
 template <int directions_>
-void AdhesionModel<directions_>::add_tangents(const Problem& problem, const Stages& stages, const State& to,
+bool AdhesionModel<directions_>::add_tangents(const Problem& problem, const Stages& stages, const State& to,
                                               Step& step) const {
     const bool keeps_shape = shapes_ && shapes_->is_single();
+    bool finite = true;
     for (std::size_t j = By::half_length; j < By::count; ++j) {
         if (!problem.asked[j]) continue;
-        auto& tangent = j == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
-        tangent = force_along(forces_.rate(to.traction, stages.response(j), axes(to), By::axis(j), keeps_shape));
+        const Inputs by_axis = forces_.rate(to.traction, stages.response(j), axes(to), By::axis(j), keeps_shape);
+        finite = finite && detail::all_finite(by_axis);
+        (j == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width) = force_along(by_axis);
     }
     if constexpr (directions == 2) {
         if (keeps_shape && problem.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
     }
+    return finite;
 }
 
 }  // namespace rollbem

@@ -82,8 +82,8 @@ struct ContactData {
     Index direction;
     bool rotates;  ///< slip is rotated to its direction at the centres
     SlipWork work;
-    FrictionLaw law;
-    FrictionMemory memory;
+    Friction::Law law;
+    Friction::Memory memory;
     ArrayX<double> normal_pressure;  ///< of the unknown elements [Pa]
     bool with_tangents;
     /// By the former a solver recognises its matrices; by the latter, of G', the areas, the contact and the pressures,

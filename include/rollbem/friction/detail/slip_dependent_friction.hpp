@@ -29,8 +29,8 @@ namespace rollbem::detail {
 /// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
 /// period. References to values of the caller, made on the stack for one call.
 struct FrictionEvolution {
-    const FrictionLaw& law;
-    const FrictionMemory& memory;
+    const Friction::Law& law;
+    const Friction::Memory& memory;
     const VectorX<double>& duration;  ///< of the period [s]
     const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
     const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
@@ -342,8 +342,8 @@ struct Coefficients {
     using Step = TimeStep<directions>;
     using Stage = detail::Stage<directions>;
 
-    const FrictionLaw& law;
-    const FrictionMemory& memory;
+    const Friction::Law& law;
+    const Friction::Memory& memory;
     const Elements<double>& elements;
     const Step& step;
     const FrictionState& from;

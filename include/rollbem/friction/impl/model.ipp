@@ -36,7 +36,7 @@ struct FrictionData {
     }
 };
 
-/// The memory of a FrictionWorkspace.
+/// The memory of a FrictionModel::Workspace.
 struct FrictionScratch {
     std::variant<StepScratch<1>, StepScratch<2>> steps;
     Eigen::Index direction = 0;  ///< of the last step by a model of one
@@ -236,13 +236,13 @@ FrictionStep advance(const ContactData<directions>& contact, Integrator integrat
 
 }  // namespace detail
 
-ROLLBEM_DECL FrictionWorkspace::FrictionWorkspace(const detail::FrictionData& data)
+ROLLBEM_DECL FrictionModel::Workspace::Workspace(const detail::FrictionData& data)
     : scratch_(data.with([]<int directions>(const detail::ContactData<directions>& contact) {
           detail::StepScratch<directions> steps(contact.size(), detail::is_coupled(contact.system), contact.varies());
           return detail::Hidden(detail::FrictionScratch{std::move(steps), contact.direction});
       })) {}
 
-ROLLBEM_DECL ElementVectors FrictionWorkspace::slip() const {
+ROLLBEM_DECL auto FrictionModel::Workspace::slip() const -> ElementVectors {
     const auto& [steps, direction] = scratch_.get();
     if (const auto* both = std::get_if<1>(&steps)) return both->slip_unit * both->slip;
     const auto* const one = std::get_if<0>(&steps);
@@ -250,7 +250,7 @@ ROLLBEM_DECL ElementVectors FrictionWorkspace::slip() const {
     slip.col(direction) = one->slip_unit * one->slip;
     return slip;
 }
-ROLLBEM_DECL const VectorX<double>& FrictionWorkspace::slip_work() const {
+ROLLBEM_DECL auto FrictionModel::Workspace::slip_work() const -> const VectorX<double>& {
     const auto& steps = scratch_.get().steps;
     const auto* const one = std::get_if<0>(&steps);
     return one != nullptr ? one->work : std::get_if<1>(&steps)->work;
@@ -307,7 +307,7 @@ ROLLBEM_DECL FrictionState FrictionModel::at_rest(const NormalLoad& load) const 
         return state;
     });
 }
-ROLLBEM_DECL FrictionWorkspace FrictionModel::workspace() const { return FrictionWorkspace(*data_); }
+ROLLBEM_DECL auto FrictionModel::workspace() const -> Workspace { return Workspace(*data_); }
 
 ROLLBEM_DECL TangentialForce FrictionModel::force(const State& state) const {
     return data_->with([&]<int directions>(const detail::ContactData<directions>& contact) {

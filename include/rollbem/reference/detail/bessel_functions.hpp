@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_bessel.h>

@@ -248,6 +248,7 @@ ROLLBEM_DECL auto ContactTable::load_at_height(WheelsetSide side, double lateral
         return Interpolation{*this}.wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height;
     };
     const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
+        if (!detail::is_finite(load)) return {};
         return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, Status::ok};
     };
     // below the first load the height depends on the square of the load's cube root, starting where the wheel touches

@@ -90,7 +90,7 @@ ROLLBEM_DECL WheelsetForces::Wrench WheelsetForces::Wrench::at(const std::array<
     return wrench;
 }
 
-ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const Wrench& other) -> Wrench& {
+ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const WheelsetForces::Wrench& other) -> WheelsetForces::Wrench& {
     for (std::size_t i = 0; i < 3; ++i) {
         force[i] += other.force[i];
         moment[i] += other.moment[i];
@@ -133,10 +133,9 @@ inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<dou
         if (friction.curved_slip) {
             own = curved_slip_of(*rolling.patches[k], rolling.at, rolling.speeds, rolling.dimensions.radius, x, s);
         }
-        const Creepage here = rolling.creepage(k);
-        const double spin = here.spin - first.spin;
-        own.col(0).array() += here.longitudinal - first.longitudinal - spin * s;
-        own.col(1).array() += here.lateral - first.lateral + spin * x;
+        const Creepage here = rolling.creepage(k);  // of one spin in a plane
+        own.col(0).array() += here.longitudinal - first.longitudinal;
+        own.col(1).array() += here.lateral - first.lateral;
     }
     return rows;
 }

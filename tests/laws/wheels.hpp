@@ -1,0 +1,138 @@
+// Force elements of tests/laws: wheels by look-up.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include <rollbem/vehicle.hpp>
+
+#include "laws/force_element.hpp"
+
+namespace laws {
+
+inline const CreepForceTable& steel_creep() {
+    static const auto table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
+    return table;
+}
+inline const ContactTable& s1002_on_60e1() {
+    static const auto table = ContactTable::read(ROLLBEM_S1002_CONTACT);
+    return table;
+}
+
+/// -1 stands for the left side, 1 for the right one, and nothing for any other number.
+inline WheelsetSide side_of(double sign) {
+    if (std::abs(sign) != 1) throw std::invalid_argument("no side");
+    return sign < 0 ? WheelsetSide::left : WheelsetSide::right;
+}
+
+/// The inputs of WheelForces, and the side, -1 for left; without a roll of its own the roll of equal loads. Values are
+/// forces, moments and heat. The table
+/// gives all lengths.
+inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
+    constexpr double Q = 1e5;
+    const double radius = s1002_on_60e1().side(WheelsetSide::right).radius;
+    steel_creep();  // is read now, not by an answer
+    ForceElement result{
+        .name = rolls ? "a wheel, with a roll" : "a wheel",
+        .inputs = {{1e-4},
+                   {1e-4},
+                   {0.03, 0, 0, -1},
+                   {0.06, 0, 0, -1},
+                   {0.03, 0, 0, -1},
+                   {0.03, 0, 0, -1},
+                   {0.02, 0, 0, -1},
+                   {0.02, 0, 0, -1},
+                   {Q},
+                   {0.3},
+                   {1e-4},
+                   {0}},
+        .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {Q, 0, 0, -1}},
+        .draw =
+            [rolls, radius](Draw& draw) {
+                const double lateral = draw.uniform(-8e-3, 8e-3) * (rolls ? 0.8 : 1), yaw = draw.uniform(-0.014, 0.014);
+                Numbers x(rolls ? 12 : 11);
+                x << lateral, yaw, 30, -30 / radius + draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1),
+                    draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05),
+                    Q * draw.uniform(0.5, 1.5), draw.uniform(0.2, 0.4), draw.sign(), draw.sign();
+                if (rolls) x[10] = s1002_on_60e1().on_rails(lateral, yaw).roll + draw.uniform(-1e-4, 1e-4);
+                return x;
+            },
+        .answer =
+            [rolls, friction](const Numbers& x) {
+                ContactTable::Friction own = friction;
+                own.coefficient = x[9];
+                const WheelForces at = s1002_on_60e1().look_up(
+                    steel_creep(), side_of(x[x.size() - 1]), {.lateral = x[0], .yaw = x[1]},
+                    {x[2], x[3], x[4], x[5], x[6], x[7]}, {x[8], rolls ? std::optional(x[10]) : std::nullopt}, own);
+                Answer answer{Numbers(7), at.tangent.leftCols(rolls ? 11 : 10), at.status};
+                answer.values << at.force, at.status == Status::ok ? at.heat : nan;
+                if (at.status != Status::ok) answer.tangent.setConstant(nan);
+                return answer;
+            },
+        .symmetries = {{"the other wheel", "--++-+--++--", "+-+-+-+"}, {"backwards", "+---+++-++++", "-+++--+"}},
+        .refusals = {{0, {-1, 9.1e-3}, Status::wrong_table},
+                     {1, {0.1, -1}, Status::wrong_table},
+                     {8, {-1, -1e-300, 1e151, 1e300}, Status::invalid_load},
+                     {9, {-1, -1e-300}, Status::invalid_load}}};
+    if (!rolls) {
+        result.inputs.erase(result.inputs.begin() + 10);
+        for (Symmetry& symmetry : result.symmetries) symmetry.inputs.erase(10, 1);
+    }
+    for (std::size_t j = 0; j < 10; ++j) result.refusals.push_back({j, {nan, infinite, -infinite}, Status::not_finite});
+    return result;
+}
+
+/// Height and roll by lateral shift, yaw, mean and half of the difference of both loads.
+inline ForceElement height_and_roll() {
+    return {.name = "height and roll",
+            .inputs = {{1e-4}, {1e-3}, {1e5}, {1e5}},
+            .values = {{1e-4}, {1e-4}},
+            .draw =
+                [](Draw& draw) {
+                    Numbers x(4);
+                    x << draw.uniform(-6e-3, 6e-3), draw.uniform(-0.012, 0.012), draw.uniform(7e4, 1.3e5),
+                        draw.uniform(-2e4, 2e4);
+                    return x;
+                },
+            .answer =
+                [](const Numbers& x) {
+                    const auto at = s1002_on_60e1().on_rails(x[0], x[1], {x[2] - x[3], x[2] + x[3]});
+                    Answer answer{Numbers(2), Tangent(2, 4)};
+                    answer.values << at.height, at.roll;
+                    answer.tangent << at.height_by_lateral, at.height_by_yaw,
+                        at.height_by_load[0] + at.height_by_load[1], at.height_by_load[1] - at.height_by_load[0],
+                        at.roll_by_lateral, at.roll_by_yaw, at.roll_by_load[0] + at.roll_by_load[1],
+                        at.roll_by_load[1] - at.roll_by_load[0];
+                    return answer;
+                },
+            .symmetries = {{"across the track", "--+-", "+-"}}};
+}
+
+/// The load of a wheel by lateral shift, yaw, its height, and the side, -1 for left.
+inline ForceElement load_at_height() {
+    return {.name = "the load of a wheel at a height",
+            .inputs = {{1e-4}, {1e-3}, {1e-4}, {0}},
+            .values = {{1e5}},
+            .draw =
+                [](Draw& draw) {
+                    Numbers x(4);
+                    const double lateral = draw.uniform(-6e-3, 6e-3), yaw = draw.uniform(-0.012, 0.012);
+                    const double side = draw.sign(), Q = draw.uniform(5e4, 1.3e5);
+                    const auto at = s1002_on_60e1().on_rails(lateral, yaw, {Q, Q});
+                    x << lateral, yaw, at.height + side * ContactTable::half_base * at.roll, side;
+                    return x;
+                },
+            .answer =
+                [](const Numbers& x) {
+                    const auto at = s1002_on_60e1().load_at_height(side_of(x[3]), x[0], x[1], x[2]);
+                    Answer answer{Numbers::Constant(1, at.load), Tangent(1, 3), at.status};
+                    answer.tangent << at.by_lateral, at.by_yaw, at.by_height;
+                    if (at.status != Status::ok) answer.tangent.setConstant(nan);
+                    return answer;
+                },
+            .symmetries = {{"the other wheel", "--+-", "+"}},
+            .refusals = {{0, {-1, 9.1e-3}, Status::wrong_table}, {1, {0.1, -1}, Status::wrong_table}}};
+}
+
+}  // namespace laws
