@@ -80,11 +80,19 @@ std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> read_reference(c
     return study::blame("--" + name, [&]() -> std::pair<rollbem::Profile, std::vector<std::array<double, 2>>> {
         rollbem::ProfileFile::Options how{.per_metre = options.text("length-unit") == "mm" ? 1000.0 : 1.0,
                                           .tape_offset = offset};
-        const auto rail = [&] { return rollbem::open_rail(options.text(name), how, {.cant = 0}).surface; };
-        const auto wheel = [&] { return rollbem::open_wheel(options.text(name), how).surface; };
-        const bool changes = use == Use::wheel ? !standard && !wheel().is_round() : !standard && rail().has_sections();
-        if (changes) throw study::BadInput(options.said(name) + " must be one profile, without sections");
-        rollbem::Profile reference = use == Use::wheel ? wheel().profile() : rail().profile();
+        const auto only = [&](const auto& surface, bool has_sections) {
+            if (has_sections) throw study::BadInput(options.said(name) + " must be one profile, without sections");
+            return surface.profile();
+        };
+        const auto read = [&] {
+            if (use == Use::wheel) {
+                const auto wheel = rollbem::open_wheel(options.text(name), how).surface;
+                return only(wheel, !wheel.is_round());
+            }
+            const auto rail = rollbem::open_rail(options.text(name), how, {.cant = 0}).surface;
+            return only(rail, rail.has_sections());
+        };
+        rollbem::Profile reference = read();
         if (standard && use == Use::wheel) reference = reference.moved(0, tape, 0);
         if (standard && use == Use::rail) reference = extended(reference, 15e-3);
         std::vector<std::array<double, 2>> parts =
