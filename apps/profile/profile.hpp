@@ -95,7 +95,7 @@ std::string conicity_help();  ///< the columns and their meanings
 /// Declares the options of wear.
 void add_wear_options(study::Options& options);
 
-/// The plan, if a position has a distance or an option of wear is given. Throws BadInput.
+/// The plan, if --positions has a column distance. Throws BadInput, also for options of wear without it.
 std::optional<WearPlan> read_wear(const study::Options& options, const std::vector<Case>& cases, bool has_distance,
                                   bool has_passages);
 

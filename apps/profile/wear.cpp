@@ -111,10 +111,10 @@ rollbem::WearLaw read_law(const study::Options& options) {
 
 std::string wear_help() {
     return R"(A column distance in --positions: the wheel of --side wears, and its rail by the passages, both by --wear-law, 7850
-kg/m^3. All positions wear together, each by its share, until something is --wear-step deep, or a quarter as
-deep as surfaces approach each other elastically; then contacts are found anew. The wheel's section loses the volume per metre rolled V'
-times distance/(2 pi r), the rail's V' passages. Wear is spread along the profile over 2 mm, as places vary in service
-and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read:
+kg/m^3. All positions wear together, each by its share, until something is --wear-step deep, or a quarter as deep as
+surfaces approach each other elastically; then contacts are found anew. The wheel's section loses the volume per metre
+rolled V' times distance/(2 pi r), the rail's V' passages. Wear is spread along the profile over 2 mm, as places vary in
+service and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read:
 )" + wear_sheet().help() +
            R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
 --length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
@@ -131,7 +131,7 @@ void add_wear_options(study::Options& options) {
              "with the columns t_gamma_per_area [N/mm^2],rate [ug/(m mm^2)]",
              "t-gamma")
         .only_with(with);
-    options.add("wear-step", "D", "largest depth worn off between two searches of contacts [m], above 0", "1e-4")
+    options.add("wear-step", "D", "largest depth worn off between two searches of contacts [m], 1e-7 to 0.01", "1e-4")
         .only_with(with);
     options.add_output("worn-wheel", "CSV file of the worn wheel, y, z [m] as --wheel reads them; none without it")
         .only_with(with);
@@ -167,8 +167,8 @@ std::optional<WearPlan> read_wear(const study::Options& options, const std::vect
     }
     options.require(distance + passages > 0 && std::isfinite(distance + passages), "positions",
                     "have a distance or passages above 0");
-    const bool standing = std::none_of(cases.begin(), cases.end(), [](const Case& at) { return at.friction; });
-    options.require(options.given("friction") || !standing, "positions",
+    const bool frictionless = std::none_of(cases.begin(), cases.end(), [](const Case& at) { return at.friction; });
+    options.require(options.given("friction") || !frictionless, "positions",
                     "have a column friction for its column distance, or --friction");
     return WearPlan{read_law(options),
                     options.number("wear-step", study::between(1e-7, 1e-2)),
@@ -238,8 +238,10 @@ WearRun::State::Rates WearRun::State::search() {
         for (std::size_t i = 0; has_numbers(own) && own != rollbem::Status::unbalanced && i < contact.patches.size();
              ++i) {
             const rollbem::PatchForce& friction = found[q].patches[k][i];
-            if (friction.status != rollbem::Status::ok) own = friction.status;
-            if (friction.status != rollbem::Status::ok) break;
+            if (friction.status != rollbem::Status::ok) {
+                own = friction.status;
+                break;
+            }
             const rollbem::RailPatch& patch = contact.patches[i];
             const rollbem::PatchForce wear = wear_of(friction, plan.law, rolling_velocity_of(patch, speeds));
             const std::array<double, 2> factors{
