@@ -331,8 +331,10 @@ Settings read_settings(const study::Options& options) {
     if (side != "right") sides.push_back(Side::left);
     if (side != "left") sides.push_back(Side::right);
     const std::optional<rollbem::RollingFriction> friction = read_friction(options, positions.has("friction"));
-    options.require(friction.has_value() || !positions.has("speed"), "positions",
-                    "have a column friction for its column speed, or --friction");
+    for (const std::string column : {"speed", "pitch_rate"}) {
+        options.require(friction.has_value() || !positions.has(column), "positions",
+                        "have a column friction for its column " + column + ", or --friction");
+    }
     std::optional<WearPlan> wear =
         read_wear(options, positions.cases, positions.has("distance"), positions.has("passages"));
     const double load = positive("load"), speed = options.number("speed", study::finite());
