@@ -1,5 +1,5 @@
-// The system of a line: influence matrices G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and
-// kernel, and the coordinates of its elements.
+// The system of a line: influence matrices G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme
+// and kernel, and the coordinates of its elements.
 #pragma once
 
 #include "../detail/decl.hpp"
