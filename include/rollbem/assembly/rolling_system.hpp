@@ -4,12 +4,8 @@
 
 #include "../detail/decl.hpp"
 
-#include <utility>
-
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/detail/plane_model.hpp"

@@ -5,7 +5,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>

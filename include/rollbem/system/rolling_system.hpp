@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../detail/fingerprint.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
