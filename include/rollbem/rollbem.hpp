@@ -1,6 +1,6 @@
 // rollbem: tangential rolling contact by boundary elements, on lines and on contact patches: line.hpp, patch.hpp,
-// stability, state spaces, and tables of creep forces. Not included: profiles.hpp and vehicle.hpp, the making of tables,
-// and rollbem/reference/, which needs GSL.
+// stability, state spaces, and tables of creep forces. Not included: profiles.hpp and vehicle.hpp, the making of
+// tables, and rollbem/reference/, which needs GSL.
 #pragma once
 
 #include "detail/language.hpp"

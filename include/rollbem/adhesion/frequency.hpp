@@ -43,8 +43,8 @@ public:
 
     /// A sweep of one system.
     explicit FrequencySweep(RollingSystem<double> system);
-    /// A sweep of several uncoupled subsystems, as patch_subsystems makes them: the creepages of the first come first, then
-    /// the creepages of the next. Throws std::invalid_argument if there is none.
+    /// A sweep of several uncoupled subsystems, as patch_subsystems makes them: the creepages of the first come first,
+    /// then the creepages of the next. Throws std::invalid_argument if there is none.
     explicit FrequencySweep(std::vector<RollingSystem<double>> parts);
 
     /// Whether the reduction is used in all subsystems.

@@ -7,16 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <type_traits>
-#include <utility>
 
 #include <Eigen/LU>
 
-#include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../status.hpp"
 #include "../system/detail/dissipation.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"

@@ -13,12 +13,10 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
-#include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
 #include "../rolling/detail/stage_equations.hpp"
 #include "../rolling/detail/stage_table.hpp"

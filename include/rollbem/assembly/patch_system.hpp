@@ -4,19 +4,13 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/patch_kernel.hpp"

@@ -1,15 +1,11 @@
-// The system of a line: influence matrices G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and
-// kernel, and the coordinates of its elements.
+// The system of a line: influence matrices G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme
+// and kernel, and the coordinates of its elements.
 #pragma once
 
 #include "../detail/decl.hpp"
 
-#include <utility>
-
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/detail/plane_model.hpp"

@@ -1,10 +1,10 @@
-// Closed forms of lines: Carter's traction and creep coefficients in full adhesion, Carter's steady rolling with friction,
-// Cattaneo's shift from rest, in elementary functions and dimensionless, a = G = V = 1; and full sliding of an ellipse.
+// Closed forms of lines: Carter's traction and creep coefficients in full adhesion, Carter's steady rolling with
+// friction, Cattaneo's shift from rest, in elementary functions and dimensionless, a = G = V = 1; and full sliding of
+// an ellipse.
 #pragma once
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>

@@ -6,14 +6,9 @@
 #include "../detail/decl.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <numbers>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include <Eigen/Core>
 

@@ -5,14 +5,9 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
-#include "../detail/require.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "mesh.hpp"

@@ -5,12 +5,8 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <functional>
-#include <limits>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -18,7 +14,6 @@
 #include <Eigen/Core>
 
 #include "../detail/array_functions.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"

@@ -1,5 +1,5 @@
-// Stresses inside an elastic half-space under constant tractions on rectangles of its surface, in closed form, and where
-// they are largest below a point.
+// Stresses inside an elastic half-space under constant tractions on rectangles of its surface, in closed form, and
+// where they are largest below a point.
 #pragma once
 
 #include "../detail/decl.hpp"

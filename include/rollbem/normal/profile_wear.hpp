@@ -13,8 +13,8 @@
 
 namespace rollbem {
 
-/// Ranges of y [m] of a reference that do not wear: of a wheel the steep part of the flange's back, and the tread beyond
-/// 35 mm outside the tape circle, at y = `tape`; of a rail both sides from 20 mm below the top on. Throws
+/// Ranges of y [m] of a reference that do not wear: of a wheel the steep part of the flange's back, and the tread more
+/// than 35 mm outside the tape circle, which is at y = `tape`; of a rail both sides from 20 mm below the top on. Throws
 /// std::invalid_argument if the reference has no such part.
 std::vector<std::array<double, 2>> unworn_parts(const Profile& reference, Profile::Use body, double tape = 0);
 
@@ -32,8 +32,7 @@ struct Alignment {
 /// The motion that brings a profile onto the reference in these parts, ranges of the reference's y, without or with an
 /// angle. It is robust: what is worn within the parts does not move it as long as more of their length lies on the
 /// reference under this motion than under any other (Tukey's biweight from the best motion that a few places fix).
-/// Throws std::invalid_argument unless every part has points of both profiles and together
-/// they fix the motion.
+/// Throws std::invalid_argument unless every part has points of both profiles, and together they fix the motion.
 Alignment align(const Profile& profile, const Profile& reference, const std::vector<std::array<double, 2>>& parts,
                 bool turns = false);
 
@@ -55,7 +54,8 @@ Profile worn_by_area(const Profile& profile, const Eigen::ArrayXd& area_per_leng
 
 /// An area per length [m] at a profile's points, spread along it over the reach r [m]: the solution d of d - r^2 d'' =
 /// area, without a flux at the ends. Waves of length w are damped by 1/(1 + (2 pi r/w)^2), the sum over
-/// lengths_at_points() stays, and nothing becomes negative. Throws std::invalid_argument unless r is positive and finite.
+/// lengths_at_points() stays, and nothing becomes negative. Throws std::invalid_argument unless r is positive and
+/// finite.
 Eigen::ArrayXd spread(const Profile& profile, const Eigen::ArrayXd& area_per_length, double reach);
 
 /// The lengths that belong to the points of a profile [m], from midway to the point before to midway to the next.

@@ -2,16 +2,11 @@
 // GSL; includes nothing of the discretised problem, so that the two cannot share errors. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <new>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <gsl/gsl_eigen.h>

@@ -6,7 +6,6 @@
 #include "../detail/decl.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <type_traits>
 #include <utility>
@@ -17,11 +16,9 @@
 #include "../adhesion/state_space.hpp"
 #include "../closed_form/carter.hpp"
 #include "../detail/circle_table.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../elasticity/detail/plane_model.hpp"
-#include "../status.hpp"
 #include "../system/detail/contact_fit.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"

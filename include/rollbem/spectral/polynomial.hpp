@@ -3,7 +3,6 @@
 // a = G = V = 1.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <concepts>

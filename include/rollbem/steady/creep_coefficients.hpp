@@ -4,11 +4,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include <Eigen/Core>
 
 #include "../adhesion/response.hpp"
@@ -19,7 +14,6 @@
 #include "../elasticity/patch_kernel.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
-#include "../status.hpp"
 #include "../types.hpp"
 
 namespace rollbem {

@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../detail/fingerprint.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
@@ -179,12 +176,12 @@ private:
 };
 
 /// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them, along
-/// one direction (this template) or two (its specialisation in element_blocks.hpp).
+/// one direction (this template) or two (its specialisation below).
 ///
 /// Invariant: in addition, all weights are positive; they are the widths of the elements in units of a.
 template <class Scalar_, int directions = 1>
 class ElementSystem : public RollingSystem<Scalar_> {
-    static_assert(directions == 1, "for two directions include system/rolling_system.hpp");
+    static_assert(directions == 1, "there are one or two directions");
 
 public:
     using Scalar = Scalar_;

@@ -1,4 +1,4 @@
-// Internals of assembly/rolling_system.hpp. Internal.
+// The rows of a scheme for G and G' of a line, and the coordinates of its elements. Internal.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Internals of assembly/patch_system.hpp. Internal.
+// Blocks of G and G' of a patch, its mirrored halves, and its ellipses of other a/b. Internal.
 #pragma once
 
 #include <algorithm>

@@ -136,6 +136,7 @@ struct TangentScratch {
     /// contribution to the second stage is then known.
     struct Memo {
         std::uint64_t revision = 0;  ///< of the linear equations; 0 if nothing is kept
+        std::uint64_t contact = 0;   ///< fingerprint: contacts of one system may differ in their units
         double factor_by_end = 0;
         SemiAxes axes = contact_axes;
         double tangent = 0;  ///< of the force, if the stage was the last
@@ -368,10 +369,10 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
         contact.varies() ? coefficients.linearise(now, stage) : scratch.solver.roles_revision();
     if (directions == 1 && parameter == 0) {
         auto& memo = own.memo[now.place.is_second ? 2 : now.place.is_last() ? 1 : 0];
-        const bool is_known = revision != 0 && revision == memo.revision && memo.factor_by_end == now.factor_by_end &&
-                              memo.axes == step.end;
+        const bool is_known = revision != 0 && revision == memo.revision && memo.contact == contact.fingerprint &&
+                              memo.factor_by_end == now.factor_by_end && memo.axes == step.end;
         if (is_known) return false;
-        memo = {revision, now.factor_by_end, step.end, 0};
+        memo = {revision, contact.fingerprint, now.factor_by_end, step.end, 0};
     }
     ProblemChange<directions> change;
     for (std::size_t k = 0; k < view.histories(); ++k) {

@@ -14,7 +14,6 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "roles.hpp"
 
 namespace rollbem::detail {

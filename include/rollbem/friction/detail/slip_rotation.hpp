@@ -9,7 +9,6 @@
 #include "../../detail/finite.hpp"
 #include "../../system/detail/centre_values.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "roles.hpp"
 
 namespace rollbem::detail {

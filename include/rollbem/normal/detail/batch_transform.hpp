@@ -15,8 +15,8 @@
 
 namespace rollbem::detail {
 
-/// Complex numbers by their real and imaginary parts. Element j of sequence k is at j * count + k, so that the innermost
-/// loops of a transform run over neighbouring numbers.
+/// Complex numbers by their real and imaginary parts. Element j of sequence k is at j * count + k, so that the
+/// innermost loops of a transform run over neighbouring numbers.
 struct ComplexBatch {
     std::vector<double> re, im;
 

@@ -85,8 +85,9 @@ inline Eigen::ArrayXXd part_below(const Eigen::ArrayXXd& patch, const Eigen::Arr
 
 /// The change of the pressures on cells `every_x` and `every_s` times as large, with the gaps `h` at their centres and
 /// the same approach, over what is allowed: of the load, and of the largest pressures in all patches that carry more
-/// than `counted` [N]. As errors fall with the size of cells, that of the load faster than in proportion, a change below
-/// 1 means that halves of the present cells change the load by less than 0.5 % and the pressures by less than 5 %.
+/// than `counted` [N]. As errors fall with the size of cells, that of the load faster than in proportion, a change
+/// below 1 means that halves of the present cells change the load by less than 0.5 % and the pressures by less than
+/// 5 %.
 inline double change_by_larger_cells(NormalContact& larger, const NormalContact::Cells& grid,
                                      const NormalContact::Grid& h, const NormalContact::Solution& solution,
                                      const Eigen::ArrayXXd& pressure, double compliance, double counted,

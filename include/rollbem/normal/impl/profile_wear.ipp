@@ -24,6 +24,11 @@
 
 namespace rollbem::detail {
 
+/// The use for a profile made from this one.
+inline Profile::Use use_of(const Profile& profile) {
+    return profile.is_piece() ? Profile::Use::piece : Profile::Use::rail;
+}
+
 /// Points of the reference in the parts, evenly spaced, with its normals, and the motion that is sought.
 class Aligner {
 public:
@@ -237,7 +242,7 @@ ROLLBEM_DECL Profile extended(const Profile& profile, double length) {
         y[more + n - 1 + k] = last.y + on * last.slope[0];
         z[more + n - 1 + k] = last.z + on * last.slope[1];
     }
-    return {std::move(y), std::move(z), profile.is_piece() ? Profile::Use::piece : Profile::Use::rail};
+    return {std::move(y), std::move(z), detail::use_of(profile)};
 }
 
 ROLLBEM_DECL Alignment align(const Profile& profile, const Profile& reference,
@@ -265,11 +270,6 @@ ROLLBEM_DECL Alignment align(const Profile& profile, const Profile& reference,
 }  // namespace rollbem
 
 namespace rollbem::detail {
-
-/// The use for a profile made from this one.
-inline Profile::Use use_of(const Profile& profile) {
-    return profile.is_piece() ? Profile::Use::piece : Profile::Use::rail;
-}
 
 /// A point at s moved into the material, `sign` times (-dz, dy)/ds, to where the lines at this depth on both its sides
 /// meet, which differ at a corner.

@@ -1,4 +1,5 @@
-// TimeStep: a step of rolling, or steady rolling, as a value, its stages, and their rigid slip with its derivatives. Internal.
+// TimeStep: a step of rolling, or steady rolling, as a value, its stages, and their rigid slip with its derivatives.
+// Internal.
 #pragma once
 
 #include <cstddef>

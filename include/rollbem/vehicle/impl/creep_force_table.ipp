@@ -597,7 +597,7 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             detail::require(detail::is_finite(forces(k, i)) && std::abs(forces(k, i)) <= Splines::most, Splines::name,
-                            "force over mu N", forces(k, i), "be finite and at Splines::most 100");
+                            "force over mu N", forces(k, i), "be finite and at most 100");
         }
     }
     Eigen::ArrayXXd columns(3 * Splines{*this}.per_shape(), shapes);
@@ -671,8 +671,8 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(std::istream& stream) {
     const auto found = reader.integer<std::uint32_t>();
     detail::require(found == Splines::version, Splines::name, "version", found, "be 4");
     const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
-    detail::require(levels <= 64, Splines::name, "levels", levels, "be at Splines::most 64");
-    detail::require(shapes <= 1000, Splines::name, "number of ellipses", shapes, "be at Splines::most 1000");
+    detail::require(levels <= 64, Splines::name, "levels", levels, "be at most 64");
+    detail::require(shapes <= 1000, Splines::name, "number of ellipses", shapes, "be at most 1000");
     const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
     std::vector<CreepCoefficients<double>> coefficients(shapes);
     for (CreepCoefficients<double>& c : coefficients) {
@@ -683,7 +683,7 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(std::istream& stream) {
         if (i % Splines::width == 3) continue;
         const float value = reader.single();
         detail::require(detail::is_finite(value) && std::abs(value) <= 1e3F, Splines::name, "coefficient", value,
-                        "be finite and at Splines::most 1000");
+                        "be finite and at most 1000");
         table.coefficients_[i] = value;
     }
     Splines::fill_rest_correction(table);

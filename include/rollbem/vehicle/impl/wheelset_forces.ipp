@@ -445,6 +445,10 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
         patch.force = factor * patch.force;
         patch.slip_work *= factor;
         patch.strip_work *= factor;
+        patch.work *= factor;
+        for (LoadedRectangle& element : patch.surface) {
+            for (double* of : {&element.traction_x, &element.traction_y, &element.pressure}) *of *= factor;
+        }
     }
 }
 
