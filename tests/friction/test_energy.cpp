@@ -1,4 +1,5 @@
-// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/detail/centre_values.hpp: elastic energy and slip work.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/detail/centre_values.hpp: elastic energy and slip
+// work.
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -34,7 +34,8 @@ struct Answer {
     bool keeps_target = true;  ///< a refused step leaves the state that it should write as it was
 };
 
-/// A typical size, which steps and errors are measured by (0: a choice, which is not varied), and the exponents of the units of length, stress and time.
+/// A typical size, which steps and errors are measured by (0: a choice, which is not varied), and the exponents of the
+/// units of length, stress and time.
 struct Quantity {
     double size;
     int length = 0, stress = 0, time = 0;

@@ -14,7 +14,7 @@ namespace laws {
 struct Exactness {
     int scenes = 60;
     double step = 1e-3;     ///< of an input, over its size
-    double error = 1e-6;    ///< over 1 + the largest derivative of the scene
+    double error = 1e-6;    ///< over the largest derivative of the scene, or over 1
     double share = 1;       ///< of the derivatives that are that exact; higher derivatives may jump beside the others
     double rough = 2e-2;    ///< the error of all, over the same
     bool is_curved = true;  ///< central differences show their second order

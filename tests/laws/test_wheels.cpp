@@ -15,7 +15,7 @@ TEST_CASE("laws: a wheel by look-up", "[contact_table]") {
     const int kind = GENERATE(0, 1, 2);  // dry, with a roll of its own, and wet by zones
     if (kind == 2) by_zones.reduced = &wet;
     const ForceElement of = wheel_look_up(kind == 1, kind == 2 ? by_zones : ContactTable::Friction());
-    has_tangent(of, {.scenes = 100, .step = 2e-3, .error = 1e-6, .share = 0.98});
+    has_tangent(of, {.scenes = 100, .step = 2e-3, .error = 1e-7, .share = 0.99, .rough = 1e-3});
     is_symmetric(of);
     if (kind < 2) keeps_units(of, 1e-12);  // friction that falls with the slip velocity has a time of its own
     refuses(of);

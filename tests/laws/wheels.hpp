@@ -27,8 +27,7 @@ inline WheelsetSide side_of(double sign) {
 }
 
 /// The inputs of WheelForces, and the side, -1 for left; without a roll of its own the roll of equal loads. Values are
-/// forces, moments and heat. The table
-/// gives all lengths.
+/// forces, moments and heat. The table gives all lengths.
 inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
     constexpr double Q = 1e5;
     const double radius = s1002_on_60e1().side(WheelsetSide::right).radius;

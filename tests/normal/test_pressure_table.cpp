@@ -1,4 +1,4 @@
-// rollbem/normal/pressure.hpp, normal/pressure.hpp
+// rollbem/normal/pressure.hpp
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>

@@ -1,4 +1,4 @@
-// rollbem/normal/profile.hpp, normal/profile.hpp
+// rollbem/normal/profile.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>

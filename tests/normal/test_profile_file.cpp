@@ -1,4 +1,4 @@
-// rollbem/normal/profile_file.hpp, normal/profile_file.hpp, normal/profile_file.hpp
+// rollbem/normal/profile_file.hpp
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -42,7 +42,7 @@ void refuses(const std::string& quantity, const std::vector<Scalar>& values, con
 }
 
 TEST_CASE("Contacts reject every parameter out of its domain", "[domain]") {
-    using Parameters = typename Contact::Parameters;
+    using Parameters = Contact::Parameters;
     const double infinity = std::numeric_limits<double>::infinity(), tiny = std::numeric_limits<double>::denorm_min();
     const Parameters good{.half_length = 1, .half_width = 1, .shear_modulus = 1, .poisson_ratio = 0.25};
     const auto with = [&](auto member) {
@@ -63,7 +63,7 @@ TEST_CASE("Contacts reject every parameter out of its domain", "[domain]") {
     refuses<double>("aspect", bad<double>({0, -1}), [](double b) { Contact::dimensionless(b, 0); });
     // a quotient that underflows
     CHECK(refusal([&] {
-              Contact({.half_length = double(1e12F), .half_width = tiny, .shear_modulus = 1, .poisson_ratio = 0});
+              Contact({.half_length = 1e12, .half_width = tiny, .shear_modulus = 1, .poisson_ratio = 0});
           }).find("half_width / half_length = 0 must be positive") != std::string::npos);
 }
 
@@ -173,10 +173,10 @@ TEMPLATE_TEST_CASE("The polynomial approach rejects every argument out of its do
 }
 
 TEST_CASE("Hertz's contact rejects every parameter out of its domain", "[domain]") {
-    using Parameters = typename HertzLine::Parameters;
+    using Parameters = HertzLine::Parameters;
     const double infinity = std::numeric_limits<double>::infinity();
     const std::vector<double> not_positive = bad<double>({0, -1, infinity});
-    const ElasticBody steel{double(2e11), 0.25};
+    const ElasticBody steel{2e11, 0.25};
     const Parameters good{.load_per_width = 1, .combined_radius = 1, .body_1 = steel, .body_2 = steel};
     const auto with = [&](const std::function<void(Parameters&, double)>& set) {
         return [=](double value) {

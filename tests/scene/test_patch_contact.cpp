@@ -1,4 +1,4 @@
-// rollbem/scene/patch_contact.hpp, scene/patch_contact.hpp, discretisation/patch_mesh.hpp: what is checked, and the strips.
+// rollbem/scene/patch_contact.hpp, discretisation/patch_mesh.hpp: what is checked, and the strips.
 #include <cmath>
 #include <limits>
 #include <numbers>

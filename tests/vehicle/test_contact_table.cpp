@@ -1,5 +1,5 @@
-// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp, contact_zones.hpp: tangents, mirror images, balance,
-// power, the way through a change of contact points, and the table against the patches that it stands for.
+// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp: balance, power, the way through a change of contact
+// points, and the table against the patches that it stands for.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp, vehicle/wheelset_forces.hpp
+// rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
-// rollbem/vehicle/creep_force_table.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
-// falls with the slip of each element.
+// rollbem/vehicle/creep_force_table.hpp, ReducedFriction: limits, what it refuses, and its distance from patches whose
+// friction falls with the slip of each element.
 #include <algorithm>
 #include <cmath>
 #include <limits>
