@@ -173,7 +173,8 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
     };
     result.answer = [=](const Numbers& x) {
         const double length = x[own + 1], modulus = x[own + 2];
-        if (length == a_0 && modulus == G) return step(*scene, x);
+        const bool numbers = !detail::is_nan(length) && !detail::is_nan(modulus);  // NaN equals all with -ffast-math
+        if (numbers && length == a_0 && modulus == G) return step(*scene, x);
         Scene other = made(length, modulus);  // the same scene in other units
         other.target = &other.to;
         other.kind = scene->kind;

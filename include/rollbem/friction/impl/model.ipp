@@ -138,7 +138,6 @@ inline LoadAtEnd load_after(const FrictionState& from, const NormalLoad* load) n
 inline bool are_coefficients(const ArrayX<double>& values) {
     return values.size() == 0 || (all_finite(values) && !(values.minCoeff() < 0));
 }
-inline bool is_positive(double value) { return is_finite(value) && value > 0; }
 
 /// Whether states and workspace belong to the contact, and whether the load in a state is valid.
 template <int directions>
