@@ -343,8 +343,8 @@ Settings read_settings(const study::Options& options) {
     check_surfaces(options, wheelset, positions);
     if (wear && !wear->worn_rail.empty()) {
         const rollbem::TrackDimensions::Origin origin = wheelset.wheel(sides[0]).geometry().rail_origin();
-        options.note("--worn-rail: stays where it was with --rail-origin " + study::Cell(origin.y).text() + "," +
-                     study::Cell(origin.z).text());
+        const auto text = [](double length) { return study::Cell(std::round(1e12 * length) / 1e12 + 0.0).text(); };
+        options.note("--worn-rail: stays where it was with --rail-origin " + text(origin.y) + "," + text(origin.z));
     }
     const auto swept = [&](const char* name) { return options.given(name) || positions.has(name); };
     return {std::move(positions.cases),

@@ -72,7 +72,7 @@ Options::Options(std::string program, const std::string& purpose)
     add_input("config",
               "file of options, one NAME = VALUE a line, e.g. alpha-T = 0.63, mesh = cosine or n = 10,20; a FILE.toml "
               "next to results repeats that run, without its outputs and --jobs. The command line takes precedence. "
-              "Here, as for every FILE that is read, - is standard input");
+              "Here, as for every FILE that is read but profiles, - is standard input");
 
     group("Discretisation");
     not_with(joined<std::string>(joined<std::string>({"mesh", "edges"}, grading_options()), {"derivative"}),
