@@ -5,8 +5,6 @@
 #include "../detail/decl.hpp"
 
 #include <algorithm>
-#include <array>
-#include <complex>
 #include <cstddef>
 #include <type_traits>
 

@@ -5,11 +5,9 @@
 #include "../detail/decl.hpp"
 
 #include <complex>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "../status.hpp"
 #include "../system/rolling_system.hpp"
 #include "response.hpp"
 

@@ -11,9 +11,6 @@
 
 #include <Eigen/LU>
 
-#include "../detail/reciprocal_condition.hpp"
-#include "../detail/require.hpp"
-#include "../system/detail/dissipation.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"

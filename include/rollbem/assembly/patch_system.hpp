@@ -19,7 +19,6 @@
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "detail/patch_blocks.hpp"
-#include "detail/patch_rows.hpp"
 #include "rolling_system.hpp"
 
 namespace rollbem {

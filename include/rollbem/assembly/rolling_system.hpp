@@ -8,12 +8,9 @@
 
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
-#include "../elasticity/detail/plane_model.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
-#include "detail/influence_rows.hpp"
-#include "detail/kernel_view.hpp"
 #include "detail/line_rows.hpp"
 
 namespace rollbem {

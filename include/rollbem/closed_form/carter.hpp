@@ -11,11 +11,9 @@
 #include <numbers>
 #include <type_traits>
 
-#include "../detail/angle_minus_sine.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/creepage.hpp"
-#include "detail/plane_lambda.hpp"
 
 namespace rollbem {
 

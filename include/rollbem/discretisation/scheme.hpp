@@ -14,7 +14,6 @@
 #include <Eigen/Core>
 
 #include "../detail/array_functions.hpp"
-#include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
 #include "mesh.hpp"

@@ -4,7 +4,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <array>
 #include <vector>
 
 #include <Eigen/Core>

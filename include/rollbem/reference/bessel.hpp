@@ -13,7 +13,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_bessel.h>
 
-#include "../closed_form/carter.hpp"
 #include "../detail/require.hpp"
 #include "detail/bessel_functions.hpp"
 

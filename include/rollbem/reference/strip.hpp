@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "../closed_form/carter.hpp"
 #include "../closed_form/detail/estimated_c11.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"

@@ -4,7 +4,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

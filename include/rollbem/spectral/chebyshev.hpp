@@ -15,15 +15,11 @@
 
 #include "../adhesion/state_space.hpp"
 #include "../closed_form/carter.hpp"
-#include "../detail/circle_table.hpp"
-#include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../elasticity/detail/plane_model.hpp"
-#include "../system/detail/contact_fit.hpp"
+#include "../elasticity/line_kernel.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
-#include "detail/chebyshev_compliance.hpp"
 #include "detail/quotient.hpp"
 
 namespace rollbem {

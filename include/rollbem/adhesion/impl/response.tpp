@@ -4,7 +4,6 @@
 #include "../response.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <limits>
 #include <type_traits>

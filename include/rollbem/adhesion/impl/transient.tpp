@@ -3,13 +3,7 @@
 
 #include "../transient.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -1,20 +1,15 @@
 // The rows of a scheme for G and G' of a line, and the coordinates of its elements. Internal.
 #pragma once
 
-#include <utility>
 
 #include <Eigen/Core>
 
-#include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../discretisation/mesh.hpp"
 #include "../../discretisation/scheme.hpp"
-#include "../../elasticity/detail/plane_model.hpp"
-#include "../../elasticity/line_kernel.hpp"
 #include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "influence_rows.hpp"
-#include "kernel_view.hpp"
 
 namespace rollbem::detail {
 

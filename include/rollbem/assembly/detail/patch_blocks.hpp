@@ -1,23 +1,19 @@
 // Blocks of G and G' of a patch, its mirrored halves, and its ellipses of other a/b. Internal.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/patch_kernel.hpp"
-#include "../../scene/patch_contact.hpp"
 #include "../../system/detail/shape_set.hpp"
 #include "../../system/rolling_system.hpp"
 #include "../../types.hpp"

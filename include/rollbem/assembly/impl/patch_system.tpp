@@ -4,7 +4,6 @@
 #include "../patch_system.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>

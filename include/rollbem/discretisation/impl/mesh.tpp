@@ -3,14 +3,10 @@
 
 #include "../mesh.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <Eigen/Core>

@@ -5,13 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <type_traits>
-#include <utility>
-#include <variant>
 
 #include <Eigen/Core>
 

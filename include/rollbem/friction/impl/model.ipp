@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "../../types.hpp"
 #include "../creepage.hpp"
 
 namespace rollbem::detail {

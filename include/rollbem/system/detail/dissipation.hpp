@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../status.hpp"
 #include "../../types.hpp"
 
 namespace rollbem {

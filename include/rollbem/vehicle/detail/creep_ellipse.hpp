@@ -11,7 +11,6 @@
 #include "../../detail/require.hpp"
 #include "../../scene/creepage.hpp"
 #include "../creep_force_table.hpp"
-#include "../wheelset_on_track.hpp"
 #include "contact_row.hpp"
 #include "creep_matrices.hpp"
 #include "ellipse_creepages.hpp"
