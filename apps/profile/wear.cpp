@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -48,7 +49,7 @@ struct WearingBody {
     Profile before, now;
     Use use;
 
-    void wear(const Eigen::ArrayXd& area) { now = worn_by_area(now, area, use); }
+    Profile after(const Eigen::ArrayXd& area) const { return worn_by_area(now, area, use); }
 };
 
 /// A row: the profiles at a search.
@@ -114,7 +115,8 @@ std::string wear_help() {
 kg/m^3. All positions wear together, each by its share, until something is --wear-step deep, or a quarter as deep as
 surfaces approach each other elastically; then contacts are found anew. The wheel's section loses the volume per metre
 rolled V' times distance/(2 pi r), the rail's V' passages. Wear is spread along the profile over 2 mm, as places vary in
-service and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read:
+service and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read;
+where contacts have no result, the run ends with the row and the profiles of that search:
 )" + wear_sheet().help() +
            R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
 --length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
@@ -267,22 +269,23 @@ WearRun::State::Rates WearRun::State::search() {
 }
 
 WearRow WearRun::State::row(double share) const {
-    const auto deepest = [](const WearingBody& body) {
-        const Eigen::ArrayXd depth = depth_between(body.before, body.now, body.use);
+    // depth, its y in the axes of the file, area
+    const auto worn_off = [](const WearingBody& body, const Profile& as_read) -> std::array<double, 3> {
+        const double area = area_between(body.before, body.now, body.use);
+        if (!(area > 0)) return {0, std::numeric_limits<double>::quiet_NaN(), 0};
         Eigen::Index at = 0;
-        const double most = depth.maxCoeff(&at);
-        return std::pair(most, at);
+        const double most = depth_between(body.before, body.now, body.use).maxCoeff(&at);
+        return {most, as_read.y()[at], area};
     };
-    const auto [of_wheel, i] = deepest(wheel);
-    const auto [of_rail, j] = deepest(rail);
-    const Profile as_read = rail.now.moved(plan.cant, 0, 0);
+    const std::array<double, 3> of_wheel = worn_off(wheel, wheel.now);
+    const std::array<double, 3> of_rail = worn_off(rail, rail.now.moved(plan.cant, 0, 0));
     return {share * distance,
-            of_wheel,
-            wheel.now.y()[i],
-            area_between(wheel.before, wheel.now, Use::wheel),
-            of_rail,
-            as_read.y()[j],
-            area_between(rail.before, rail.now, Use::rail),
+            of_wheel[0],
+            of_wheel[1],
+            of_wheel[2],
+            of_rail[0],
+            of_rail[1],
+            of_rail[2],
             flange_sizes(wheel.now, plan.tape_offset),
             rail_wear(rail.before, rail.now, settings.wheelset.wheel(side).dimensions().gauge_depth),
             plan.rail,
@@ -297,12 +300,20 @@ void WearRun::State::run(const std::function<void(double part)>& done) {
         double part = rates.wheel.part(plan.step);
         if (plan.rail) part = std::min(part, rates.rail.part(plan.step));
         if (part * most_searches < 1) {
-            throw study::BadInput("--positions: distances and passages must take at most 10000 searches, not " +
-                                  study::Cell(1 / part).text(3) + ": shorter distances [m], or a larger --wear-step");
+            failure = "distances and passages must take at most 10000 searches, not " + study::Cell(1 / part).text(3) +
+                      ": shorter distances [m], or a larger --wear-step";
+            if (share == 0) throw study::BadInput("--positions: " + failure);
+            return;
         }
         if (part > (1 - share) * (1 - 1e-9)) part = 1 - share;
-        wheel.wear(part * rates.wheel.area);
-        if (plan.rail) rail.wear(part * rates.rail.area);
+        try {
+            Profile next = wheel.after(part * rates.wheel.area);
+            if (plan.rail) rail.now = rail.after(part * rates.rail.area);
+            wheel.now = std::move(next);
+        } catch (const std::invalid_argument& fold) {
+            failure = fold.what();
+            return;
+        }
         share = part < 1 - share ? share + part : 1;
         done(share);
     }
@@ -339,9 +350,12 @@ study::Table WearRun::table(study::OutputFiles& files) {
     table.prepare = [&state](const std::vector<std::size_t>&, const std::function<void(double)>& done) {
         state.run(done);
     };
-    table.finish = [&state, wheel_file, rail_file] {
-        if (!state.failure.empty()) throw std::runtime_error("wear ended: " + state.failure);
-        state.write(wheel_file, rail_file);
+    table.finish = [&state, wheel_file, rail_file] { state.write(wheel_file, rail_file); };
+    table.label = [](std::size_t) { return "wear"; };
+    table.ended = [&state](std::size_t) {
+        return state.failure.empty()
+                   ? ""
+                   : "ended after " + study::Cell(state.rows.back().distance).text(6) + " m: " + state.failure;
     };
     table.plot = [&state](const study::Records&) {
         std::vector<Worn> drawn{{"Wheel", state.wheel.before, state.wheel.now, Use::wheel}};

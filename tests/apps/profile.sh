@@ -136,6 +136,12 @@ rows 'FNR > 1 { wheel[FILENAME] = $wheel_depth; rail[FILENAME] = $rail_depth; co
           (wheel["one"] / wheel["other"] - 1) ^ 2 < 0.02 ^ 2 && (rail["one"] / rail["other"] - 1) ^ 2 < 0.02 ^ 2) }' \
     one other || fail "half of a step: $(tail -n 1 one other)"
 sed 's/e4/e3/g' collective.csv >tenth.csv
+cp collective.csv beyond.csv && echo '0.05,0,0.3,1,0' >>beyond.csv
+exits 1 0 $wears --positions beyond.csv --output early.csv --worn-wheel early_wheel.csv
+complains 'wear: ended after 0 m: row 4 of --positions, shift = 0.05 m: end_of_profile'
+rows 'END { exit !(FNR == 2 && $wheel_depth == "0" && $wheel_depth_y == "" && $status == "end_of_profile") }' early.csv ||
+    fail "wear that ended: $(cat early.csv)"
+good 1 $programs/profile_study --quiet --wheel early_wheel.csv --shift 0
 good 3 $wears --positions tenth.csv --wheel worn.csv --rail worn_rail.csv --cant 0.02499479361892016
 
 # --- a wheel beside its origin comes back by alignment, although it is worn
