@@ -48,8 +48,20 @@ struct WearingBody {
 
     Profile before, now;
     Use use;
+    Eigen::ArrayXd last{};  ///< what the collective would have taken off by the search before
+    double last_part = 0;   ///< of the collective, after that search
 
-    Profile after(const Eigen::ArrayXd& area) const { return worn_by_area(now, area, use); }
+    /// After a part of the collective, which takes off `area` by the last search, extrapolated from the one before to
+    /// the middle of the step: contacts spread as they wear (Adams and Bashforth's second order).
+    Profile after(const Eigen::ArrayXd& area, double part) const {
+        if (last.size() == 0) return worn_by_area(now, part * area, use);
+        return worn_by_area(now, part * (area + part / (2 * last_part) * (area - last)).cwiseMax(0), use);
+    }
+    void wear(Profile next, const Eigen::ArrayXd& area, double part) {
+        now = std::move(next);
+        last = area;
+        last_part = part;
+    }
 };
 
 /// A row: the profiles at a search.
@@ -307,9 +319,9 @@ void WearRun::State::run(const std::function<void(double part)>& done) {
         }
         if (part > (1 - share) * (1 - 1e-9)) part = 1 - share;
         try {
-            Profile next = wheel.after(part * rates.wheel.area);
-            if (plan.rail) rail.now = rail.after(part * rates.rail.area);
-            wheel.now = std::move(next);
+            Profile next = wheel.after(rates.wheel.area, part);
+            if (plan.rail) rail.wear(rail.after(rates.rail.area, part), rates.rail.area, part);
+            wheel.wear(std::move(next), rates.wheel.area, part);
         } catch (const std::invalid_argument& fold) {
             failure = fold.what();
             return;
