@@ -114,7 +114,7 @@ rollbem::Profile aligned(const study::Options& options, const std::string& sourc
             (options.flag("align-angle") ? ", angle = " + study::Cell(1e3 * found.angle).text(5) + " mrad" : "") +
             "; residual " + in_mm(found.residual) + " on " + study::Cell(100 * found.share).text(3) +
             " % of the unworn parts";
-        if (found.residual > 0.3e-3 || found.share < 0.5) {
+        if (found.residual > 0.1e-3 || found.share < 0.5) {
             options.doubt("--" + source + ": " + motion + ": does it fit this reference and --align-parts?");
         } else {
             options.note("--" + source + ": " + motion);

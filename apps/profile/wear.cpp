@@ -67,7 +67,7 @@ struct WearingBody {
 /// A row: the profiles at a search.
 struct WearRow {
     double distance;
-    double wheel_depth, wheel_depth_y, wheel_area, rail_depth, rail_depth_y, rail_area;
+    std::array<double, 3> wheel, rail;  ///< largest depth, its y in the axes of the file, area
     rollbem::FlangeSizes flange;
     rollbem::RailWear head;
     bool has_rail;
@@ -81,13 +81,15 @@ study::Sheet<WearRow, Side> wear_sheet() {
     const auto of_rail = [](const auto& value) { return study::where(&R::has_rail, value); };
     return {"",
             {{"distance", "distance rolled when contacts are found anew, in the last row at the end [m]", &R::distance},
-             {"wheel_depth", "largest depth worn off the wheel along its normals [m]", &R::wheel_depth},
-             {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]", &R::wheel_depth_y},
-             {"wheel_area", "area worn off the wheel's section [m^2]", &R::wheel_area},
+             {"wheel_depth", "largest depth worn off the wheel along its normals [m]",
+              [](const R& r) { return r.wheel[0]; }},
+             {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]",
+              [](const R& r) { return r.wheel[1]; }},
+             {"wheel_area", "area worn off the wheel's section [m^2]", [](const R& r) { return r.wheel[2]; }},
              {"rail_depth", "the same of the rail, as the columns after it; empty without passages",
-              of_rail(&R::rail_depth)},
-             {"rail_depth_y", "", of_rail(&R::rail_depth_y)},
-             {"rail_area", "", of_rail(&R::rail_area)},
+              of_rail([](const R& r) { return r.rail[0]; })},
+             {"rail_depth_y", "", of_rail([](const R& r) { return r.rail[1]; })},
+             {"rail_area", "", of_rail([](const R& r) { return r.rail[2]; })},
              {"flange_height", "EN 15313's Sh: tip of the flange below the tape circle's point [m]",
               [](const R& r) { return r.flange.height; }},
              {"flange_thickness",
@@ -281,7 +283,6 @@ WearRun::State::Rates WearRun::State::search() {
 }
 
 WearRow WearRun::State::row(double share) const {
-    // depth, its y in the axes of the file, area
     const auto worn_off = [](const WearingBody& body, const Profile& as_read) -> std::array<double, 3> {
         const double area = area_between(body.before, body.now, body.use);
         if (!(area > 0)) return {0, std::numeric_limits<double>::quiet_NaN(), 0};
@@ -289,15 +290,9 @@ WearRow WearRun::State::row(double share) const {
         const double most = depth_between(body.before, body.now, body.use).maxCoeff(&at);
         return {most, as_read.y()[at], area};
     };
-    const std::array<double, 3> of_wheel = worn_off(wheel, wheel.now);
-    const std::array<double, 3> of_rail = worn_off(rail, rail.now.moved(plan.cant, 0, 0));
     return {share * distance,
-            of_wheel[0],
-            of_wheel[1],
-            of_wheel[2],
-            of_rail[0],
-            of_rail[1],
-            of_rail[2],
+            worn_off(wheel, wheel.now),
+            worn_off(rail, rail.now.moved(plan.cant, 0, 0)),
             flange_sizes(wheel.now, plan.tape_offset),
             rail_wear(rail.before, rail.now, settings.wheelset.wheel(side).dimensions().gauge_depth),
             plan.rail,
