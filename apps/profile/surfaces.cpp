@@ -114,9 +114,10 @@ rollbem::Profile aligned(const study::Options& options, const std::string& sourc
             (options.flag("align-angle") ? ", angle = " + study::Cell(1e3 * found.angle).text(5) + " mrad" : "") +
             "; residual " + in_mm(found.residual) + " on " + study::Cell(100 * found.share).text(3) +
             " % of the unworn parts";
-        options.note("--" + source + ": " + motion);
-        if (found.residual > 0.3e-3 || found.share < 0.5) {
+        if (found.residual > 0.1e-3 || found.share < 0.5) {
             options.doubt("--" + source + ": " + motion + ": does it fit this reference and --align-parts?");
+        } else {
+            options.note("--" + source + ": " + motion);
         }
         const rollbem::Profile moved = raw.moved(found.angle, found.dy, found.dz);
         return rollbem::Profile(moved.y(), moved.z(), any_shape ? Use::piece : use);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -47,14 +48,26 @@ struct WearingBody {
 
     Profile before, now;
     Use use;
+    Eigen::ArrayXd last{};  ///< what the collective would have taken off by the search before
+    double last_part = 0;   ///< of the collective, after that search
 
-    void wear(const Eigen::ArrayXd& area) { now = worn_by_area(now, area, use); }
+    /// After a part of the collective, which takes off `area` by the last search, extrapolated from the one before to
+    /// the middle of the step: contacts spread as they wear (Adams and Bashforth's second order).
+    Profile after(const Eigen::ArrayXd& area, double part) const {
+        if (last.size() == 0) return worn_by_area(now, part * area, use);
+        return worn_by_area(now, part * (area + part / (2 * last_part) * (area - last)).cwiseMax(0), use);
+    }
+    void wear(Profile next, const Eigen::ArrayXd& area, double part) {
+        now = std::move(next);
+        last = area;
+        last_part = part;
+    }
 };
 
 /// A row: the profiles at a search.
 struct WearRow {
     double distance;
-    double wheel_depth, wheel_depth_y, wheel_area, rail_depth, rail_depth_y, rail_area;
+    std::array<double, 3> wheel, rail;  ///< largest depth, its y in the axes of the file, area
     rollbem::FlangeSizes flange;
     rollbem::RailWear head;
     bool has_rail;
@@ -68,13 +81,15 @@ study::Sheet<WearRow, Side> wear_sheet() {
     const auto of_rail = [](const auto& value) { return study::where(&R::has_rail, value); };
     return {"",
             {{"distance", "distance rolled when contacts are found anew, in the last row at the end [m]", &R::distance},
-             {"wheel_depth", "largest depth worn off the wheel along its normals [m]", &R::wheel_depth},
-             {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]", &R::wheel_depth_y},
-             {"wheel_area", "area worn off the wheel's section [m^2]", &R::wheel_area},
+             {"wheel_depth", "largest depth worn off the wheel along its normals [m]",
+              [](const R& r) { return r.wheel[0]; }},
+             {"wheel_depth_y", "y of that place on the worn wheel, in the axes of its file [m]",
+              [](const R& r) { return r.wheel[1]; }},
+             {"wheel_area", "area worn off the wheel's section [m^2]", [](const R& r) { return r.wheel[2]; }},
              {"rail_depth", "the same of the rail, as the columns after it; empty without passages",
-              of_rail(&R::rail_depth)},
-             {"rail_depth_y", "", of_rail(&R::rail_depth_y)},
-             {"rail_area", "", of_rail(&R::rail_area)},
+              of_rail([](const R& r) { return r.rail[0]; })},
+             {"rail_depth_y", "", of_rail([](const R& r) { return r.rail[1]; })},
+             {"rail_area", "", of_rail([](const R& r) { return r.rail[2]; })},
              {"flange_height", "EN 15313's Sh: tip of the flange below the tape circle's point [m]",
               [](const R& r) { return r.flange.height; }},
              {"flange_thickness",
@@ -114,7 +129,8 @@ std::string wear_help() {
 kg/m^3. All positions wear together, each by its share, until something is --wear-step deep, or a quarter as deep as
 surfaces approach each other elastically; then contacts are found anew. The wheel's section loses the volume per metre
 rolled V' times distance/(2 pi r), the rail's V' passages. Wear is spread along the profile over 2 mm, as places vary in
-service and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read:
+service and waves must not grow; its area stays. A row for each search, the first one of the profiles as they are read;
+where contacts have no result, the run ends with the row and the profiles of that search:
 )" + wear_sheet().help() +
            R"(--worn-wheel, --worn-rail: to be read with the same --tape-offset, --cant and --rail-origin, but without --...-mirror,
 --length-unit, --smooth and --align-...; --gauge places a worn rail by its worn side. With one friction a position:
@@ -267,22 +283,16 @@ WearRun::State::Rates WearRun::State::search() {
 }
 
 WearRow WearRun::State::row(double share) const {
-    const auto deepest = [](const WearingBody& body) {
-        const Eigen::ArrayXd depth = depth_between(body.before, body.now, body.use);
+    const auto worn_off = [](const WearingBody& body, const Profile& as_read) -> std::array<double, 3> {
+        const double area = area_between(body.before, body.now, body.use);
+        if (!(area > 0)) return {0, std::numeric_limits<double>::quiet_NaN(), 0};
         Eigen::Index at = 0;
-        const double most = depth.maxCoeff(&at);
-        return std::pair(most, at);
+        const double most = depth_between(body.before, body.now, body.use).maxCoeff(&at);
+        return {most, as_read.y()[at], area};
     };
-    const auto [of_wheel, i] = deepest(wheel);
-    const auto [of_rail, j] = deepest(rail);
-    const Profile as_read = rail.now.moved(plan.cant, 0, 0);
     return {share * distance,
-            of_wheel,
-            wheel.now.y()[i],
-            area_between(wheel.before, wheel.now, Use::wheel),
-            of_rail,
-            as_read.y()[j],
-            area_between(rail.before, rail.now, Use::rail),
+            worn_off(wheel, wheel.now),
+            worn_off(rail, rail.now.moved(plan.cant, 0, 0)),
             flange_sizes(wheel.now, plan.tape_offset),
             rail_wear(rail.before, rail.now, settings.wheelset.wheel(side).dimensions().gauge_depth),
             plan.rail,
@@ -297,12 +307,20 @@ void WearRun::State::run(const std::function<void(double part)>& done) {
         double part = rates.wheel.part(plan.step);
         if (plan.rail) part = std::min(part, rates.rail.part(plan.step));
         if (part * most_searches < 1) {
-            throw study::BadInput("--positions: distances and passages must take at most 10000 searches, not " +
-                                  study::Cell(1 / part).text(3) + ": shorter distances [m], or a larger --wear-step");
+            failure = "distances and passages must take at most 10000 searches, not " + study::Cell(1 / part).text(3) +
+                      ": shorter distances [m], or a larger --wear-step";
+            if (share == 0) throw study::BadInput("--positions: " + failure);
+            return;
         }
         if (part > (1 - share) * (1 - 1e-9)) part = 1 - share;
-        wheel.wear(part * rates.wheel.area);
-        if (plan.rail) rail.wear(part * rates.rail.area);
+        try {
+            Profile next = wheel.after(rates.wheel.area, part);
+            if (plan.rail) rail.wear(rail.after(rates.rail.area, part), rates.rail.area, part);
+            wheel.wear(std::move(next), rates.wheel.area, part);
+        } catch (const std::invalid_argument& fold) {
+            failure = fold.what();
+            return;
+        }
         share = part < 1 - share ? share + part : 1;
         done(share);
     }
@@ -339,9 +357,12 @@ study::Table WearRun::table(study::OutputFiles& files) {
     table.prepare = [&state](const std::vector<std::size_t>&, const std::function<void(double)>& done) {
         state.run(done);
     };
-    table.finish = [&state, wheel_file, rail_file] {
-        if (!state.failure.empty()) throw std::runtime_error("wear ended: " + state.failure);
-        state.write(wheel_file, rail_file);
+    table.finish = [&state, wheel_file, rail_file] { state.write(wheel_file, rail_file); };
+    table.label = [](std::size_t) { return "wear"; };
+    table.ended = [&state](std::size_t) {
+        return state.failure.empty()
+                   ? ""
+                   : "ended after " + study::Cell(state.rows.back().distance).text(6) + " m: " + state.failure;
     };
     table.plot = [&state](const study::Records&) {
         std::vector<Worn> drawn{{"Wheel", state.wheel.before, state.wheel.now, Use::wheel}};
