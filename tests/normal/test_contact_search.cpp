@@ -664,23 +664,26 @@ TEST_CASE("contact_search: a contact does not depend on what its workspace has s
 TEST_CASE("contact_search: waves between the centres of cells count by the pressures that they can raise",
           "[profiles]") {
     constexpr double distance = 1e-4, compliance = 1e-11;
-    constexpr Eigen::Index count = 20, parts = detail::WavesMissed::parts;
+    constexpr Eigen::Index count = 20, parts = 32;
     const Eigen::ArrayXd place = Eigen::ArrayXd::LinSpaced(parts * (count - 1) + 1, 0, count - 1),
                          pressure = Eigen::ArrayXd::Constant(count, 1e9);
-    const auto missed = [&](const Eigen::ArrayXd& h) {
-        return detail::WavesMissed{h, pressure, distance, compliance}.raise_peak();
+    const auto times = [&](const Eigen::ArrayXd& h) {
+        return detail::WavesMissed{h, pressure, parts, distance, compliance}.times();
     };
     // full contact of waves whose length is twice the distance of centres: pi E* A/L
     const Eigen::ArrayXd wave = (pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi;
-    CHECK(missed(1.01 * wave));
-    CHECK_FALSE(missed(0.99 * wave));
-    CHECK_FALSE(missed((place / 10 - 1).cube()));
+    CHECK(times(1.01 * wave) == 2);
+    CHECK(times(0.99 * wave) == 1);
+    CHECK(times((place / 10 - 1).cube()) == 1);
+    CHECK(times(1.01 * (2 * pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi) == 4);
+    // none are enough for a kink
+    CHECK(times(1e-4 * (place - 9.7).abs()) == parts / 2);
     // waves beside pressures do not count
     Eigen::ArrayXd beside = wave;
     beside.head(parts * (count - 3)).setZero();
     Eigen::ArrayXd with_end = pressure;
     with_end.tail(4).setZero();
-    CHECK_FALSE(detail::WavesMissed{2 * beside, with_end, distance, compliance}.raise_peak());
+    CHECK(detail::WavesMissed{2 * beside, with_end, parts, distance, compliance}.times() == 1);
 }
 
 TEST_CASE("contact_search: a patch without an outline asks for cells in the direction with fewer", "[profiles]") {
@@ -688,13 +691,14 @@ TEST_CASE("contact_search: a patch without an outline asks for cells in the dire
     const auto wanted = [&](Eigen::Index in_x, Eigen::Index in_s, double negligible) {
         Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(20, 20);
         p.block(3, 4, in_x, in_s).setOnes();
-        const detail::CellDoubling of = detail::doubling_for_outlines(grid, p, negligible);
+        const detail::MoreCells of = detail::cells_for_outlines(grid, p, negligible);
         return std::pair(of.x, of.s);
     };
-    CHECK(wanted(12, 2, 0) == std::pair(false, true));
-    CHECK(wanted(2, 2, 0) == std::pair(true, true));
-    CHECK(wanted(2, 2, 5) == std::pair(false, false));
-    CHECK(wanted(12, 12, 0) == std::pair(false, false));
+    using Times = std::pair<Eigen::Index, Eigen::Index>;
+    CHECK(wanted(12, 2, 0) == Times(1, 2));
+    CHECK(wanted(2, 2, 0) == Times(2, 2));
+    CHECK(wanted(2, 2, 5) == Times(1, 1));
+    CHECK(wanted(12, 12, 0) == Times(1, 1));
 }
 
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {
