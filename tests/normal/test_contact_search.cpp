@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -641,6 +642,27 @@ TEST_CASE("contact_search: cells become smaller where halves of them would chang
     const WheelOnRail at_edge(cylinder(), edge, above);
     CHECK(at_edge.solve_for_load({}, 4e4, workspace).status == Status::few_cells);
     CHECK(has_numbers(at_edge.solve_for_load({}, 4e4, workspace, given).status));
+}
+
+TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are given up early, of one of both not",
+          "[profiles]") {
+    std::mt19937 random(1);
+    const auto rough = [&](double curvature, double noise) {
+        return piece(-0.03, 0.03, 121, [&](double y) {
+            return curvature * y * y + noise * (double(random()) / double(std::mt19937::max()) - 0.5);
+        });
+    };
+    const WheelOnRail::Options given{.halves_cells = false};
+    for (const bool rough_wheel : {true, false}) {
+        const WheelOnRail wheel(rough(0, rough_wheel ? 8e-6 : 0), rough(1, 8e-6), above);
+        WheelOnRail::Workspace workspace;
+        const auto found = wheel.solve_for_load({}, 4e4, workspace),
+                   coarse = wheel.solve_for_load({}, 4e4, workspace, given);
+        CHECK(wheel.geometry().is_rough() == rough_wheel);
+        CHECK(found.status == (rough_wheel ? Status::few_cells : Status::ok));
+        CHECK(coarse.status == Status::ok);
+        CHECK((found.patches.at(0).grid.ny > coarse.patches.at(0).grid.ny) == !rough_wheel);
+    }
 }
 
 TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {

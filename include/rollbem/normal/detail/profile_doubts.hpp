@@ -43,6 +43,10 @@ struct PointNoise {
     double size = 0;      ///< standard deviation [m]
     double distance = 0;  ///< of neighbouring points [m]
     double slope = 0;     ///< size over distance
+
+    /// Whether waves of twice the distance matter: those of amplitude A and length L that are pressed flat add
+    /// pi E* A/L to the pressure, 100 MPa on steel.
+    bool is_rough() const { return slope > 5e-4; }
 };
 
 /// The noise of half of the points is larger: what changes of the curvature from point to point tell. 0 of fewer than 9
@@ -73,11 +77,9 @@ inline PointNoise median_noise(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z)
 
 /// The doubt whether waves of twice the distance of points are meant, or "", with the wave length to smooth by.
 inline std::string doubt_of_roughness(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
-    // waves of amplitude A and length L that are pressed flat add pi E* A/L to the pressure: 100 MPa on steel
-    constexpr double most = 5e-4;
     constexpr double bend = 3;  // of a rail's head [1/m]
     const PointNoise noise = median_noise(y, z);
-    if (!(noise.slope > most)) return "";
+    if (!noise.is_rough()) return "";
     // what smoothing over L leaves of the noise has the deviation size (2 distance/L)^(1/2), and L as its wave length
     const double pi = std::numbers::pi,
                  enough = std::pow(4 * pi * pi * noise.size * std::sqrt(2 * noise.distance) / bend, 0.4),
