@@ -605,7 +605,7 @@ TEST_CASE("profile_file: noise from point to point is doubted, with a wave lengt
     // what it leaves bends the curve by less than a rail's head is bent, half of it leaves more
     const auto bend = [&](double smooth) {
         const ProfileFile of = read("a.csv", text, Use::piece, {.per_metre = 1000, .smooth = smooth});
-        CHECK(of.doubts.empty());
+        CHECK((smooth < wave_length || of.doubts.empty()));
         const Eigen::ArrayXd off = std::get<Profile>(of.curve).z() - y.unaryExpr(crown);
         const Eigen::Index middle = count / 2, from = count / 4;
         const Eigen::ArrayXd bends =
