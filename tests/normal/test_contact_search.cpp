@@ -707,6 +707,39 @@ TEST_CASE("contact_search: waves between the centres of cells count by the press
     CHECK(detail::WavesMissed{2 * beside, with_end, parts, distance, compliance}.times() == 1);
 }
 
+TEST_CASE("contact_search: changes by larger cells count over 1.5 % of loads, and over 6 % of pressures",
+          "[profiles]") {
+    constexpr double compliance = 1e-11, cell = 2e-4, infinite = std::numeric_limits<double>::infinity();
+    constexpr Eigen::Index count = 25, half = (count + 1) / 2;
+    const NormalContact::Cells grid{count, count, -cell * 12, -cell * 12, cell, cell},
+        twice{half, half, grid.x_0, grid.y_0, 2 * cell, 2 * cell};
+    NormalContact fine(compliance), coarse(compliance), used(1);
+    // a sphere, and one with a bump between the centres of larger cells
+    for (const bool bump : {false, true}) {
+        const auto gaps = [&](const NormalContact::Cells& of) {
+            NormalContact::Grid h(of.nx, of.ny);
+            for (Eigen::Index j = 0; j < of.ny; ++j) {
+                for (Eigen::Index i = 0; i < of.nx; ++i) {
+                    const double x = of.x(i), y = of.y(j), off = std::hypot(x - cell, y - cell) / cell;
+                    h(i, j) = x * x + y * y - (bump ? 5e-7 * std::exp(-4 * off * off) : 0);
+                }
+            }
+            return h;
+        };
+        const NormalContact::Grid h = gaps(grid);
+        const NormalContact::Solution solution = fine.approach(grid, h, 4e-6, 1e-6);
+        const auto change = [&](double counted) {
+            return detail::change_by_larger_cells(used, grid, h, solution, fine.pressure(), compliance, counted, 2, 2);
+        };
+        const double by_load = std::abs(coarse.approach(twice, gaps(twice), 4e-6, 1e-6).load / solution.load - 1),
+                     by_pressure = std::abs(
+                         detail::peak_pressure(coarse.pressure()) / detail::peak_pressure(fine.pressure()) - 1);
+        CHECK(change(infinite) == Approx(by_load / 0.015).epsilon(0.02));
+        CHECK(change(0) == Approx((std::max)(by_load / 0.015, by_pressure / 0.06)).epsilon(0.02));
+        CHECK((by_pressure / 0.06 > by_load / 0.015) == bump);
+    }
+}
+
 TEST_CASE("contact_search: a patch without an outline asks for cells in the direction with fewer", "[profiles]") {
     const NormalContact::Cells grid{.nx = 20, .ny = 20, .x_0 = 0, .y_0 = 0, .dx = 1, .dy = 1};
     const auto wanted = [&](Eigen::Index in_x, Eigen::Index in_s, double negligible) {
