@@ -297,7 +297,7 @@ void add_track_options(study::Options& options) {
         "depth below the tops of the rails [m], above 0, down to which the gauge is measured where they are narrowest",
         "0.014");
     options.add("flange-back", "X",
-                "distance between the backs of the flanges [m], 0.05 to 5, or above 0 with --any-shape", "1.36");
+                "distance between the backs of the flanges [m], 0.05 to 5, or at least 0 with --any-shape", "1.36");
     options.add("tape-offset", "X",
                 "distance of the wheel profile's origin from the back of its flange [m]: 0.07 on the tape circle, 0 "
                 "for profiles measured from the back",
@@ -312,13 +312,15 @@ void add_track_options(study::Options& options) {
 }
 
 rollbem::TrackDimensions read_dimensions(const study::Options& options) {
-    rollbem::TrackDimensions track{.gauge = options.number("gauge", length(options, 0.1, 5)),
-                                   .gauge_depth = options.number("gauge-depth", study::positive()),
-                                   .flange_back = options.number("flange-back", length(options, 0.05, 5)),
-                                   .tape_offset = options.number("tape-offset", study::finite()),
-                                   .radius = options.number("radius", length(options, 0.02, 5)),
-                                   .shear_modulus = options.number("shear-modulus", study::shear_modulus()),
-                                   .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
+    rollbem::TrackDimensions track{
+        .gauge = options.number("gauge", length(options, 0.1, 5)),
+        .gauge_depth = options.number("gauge-depth", study::positive()),
+        .flange_back =
+            options.number("flange-back", options.flag("any-shape") ? study::not_negative() : length(options, 0.05, 5)),
+        .tape_offset = options.number("tape-offset", study::finite()),
+        .radius = options.number("radius", length(options, 0.02, 5)),
+        .shear_modulus = options.number("shear-modulus", study::shear_modulus()),
+        .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
     if (options.given("rail-origin")) {
         const auto origin = options.pair("rail-origin");
         options.require(origin.has_value(), "rail-origin", "be two numbers with a comma between them");

@@ -73,7 +73,8 @@ shape 1 '((y < 0 ? -y : y) - 20) ^ 2 / 600' crowns.txt
 shape="$profile --length-unit mm --any-shape --roll 0 --load 1e4 --rail-origin 0.75,0"
 $shape --wheel sphere.txt --radius 0.1 --rail plane.txt >out
 approach=$(cell approach)
-$shape --wheel plane.txt --radius 0.13333333333333333 --rail crown.txt --roller-radius 0.4 >out
+$shape --wheel plane.txt --radius 0.13333333333333333 --flange-back 0 --tape-offset 0.75 \
+    --rail crown.txt --roller-radius 0.4 >out
 check '--roller-radius: 1/R_w + 1/R_r' "(\$approach / $approach - 1) ^ 2 < 1e-6"
 $shape --wheel plane.txt --rail crowns.txt >out
 height=$(cell height)

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -643,6 +644,26 @@ TEST_CASE("contact_search: cells become smaller where halves of them would chang
     CHECK(has_numbers(at_edge.solve_for_load({}, 4e4, workspace, given).status));
 }
 
+TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are given up early, of one of both not",
+          "[profiles]") {
+    std::mt19937 random(1);
+    const auto rough = [&](double curvature, double noise) {
+        return piece(-0.03, 0.03, 241, [&](double y) {
+            return curvature * y * y + noise * (double(random()) / double(std::mt19937::max()) - 0.5);
+        });
+    };
+    for (const auto& [on_wheel, on_rail] : {std::pair(8e-6, 8e-6), std::pair(0.0, 8e-6), std::pair(8e-6, 0.0)}) {
+        const Profile on_axle = rough(0, on_wheel);
+        const WheelOnRail wheel(on_axle, rough(1, on_rail), above);
+        const bool both = on_wheel > 0 && on_rail > 0;
+        WheelOnRail::Workspace workspace;
+        const auto contact = wheel.solve_for_load({}, 4e4, workspace);
+        CHECK(contact.status == (both ? Status::few_cells : Status::ok));
+        CHECK((contact.patches.at(0).grid.ny < 240) == both);
+        CHECK(wheel.geometry().is_rough() == both);
+    }
+}
+
 TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {
     const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
     TrackDimensions soft = above;
@@ -664,23 +685,65 @@ TEST_CASE("contact_search: a contact does not depend on what its workspace has s
 TEST_CASE("contact_search: waves between the centres of cells count by the pressures that they can raise",
           "[profiles]") {
     constexpr double distance = 1e-4, compliance = 1e-11;
-    constexpr Eigen::Index count = 20, parts = detail::WavesMissed::parts;
+    constexpr Eigen::Index count = 20, parts = 32;
     const Eigen::ArrayXd place = Eigen::ArrayXd::LinSpaced(parts * (count - 1) + 1, 0, count - 1),
                          pressure = Eigen::ArrayXd::Constant(count, 1e9);
-    const auto missed = [&](const Eigen::ArrayXd& h) {
-        return detail::WavesMissed{h, pressure, distance, compliance}.raise_peak();
+    const auto times = [&](const Eigen::ArrayXd& h) {
+        return detail::WavesMissed{h, pressure, parts, distance, compliance}.times();
     };
     // full contact of waves whose length is twice the distance of centres: pi E* A/L
     const Eigen::ArrayXd wave = (pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi;
-    CHECK(missed(1.01 * wave));
-    CHECK_FALSE(missed(0.99 * wave));
-    CHECK_FALSE(missed((place / 10 - 1).cube()));
+    CHECK(times(1.01 * wave) == 2);
+    CHECK(times(0.99 * wave) == 1);
+    CHECK(times((place / 10 - 1).cube()) == 1);
+    CHECK(times(1.01 * (2 * pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi) == 4);
+    // none are enough for a kink
+    CHECK(times(1e-4 * (place - 9.7).abs()) == parts / 2);
     // waves beside pressures do not count
     Eigen::ArrayXd beside = wave;
     beside.head(parts * (count - 3)).setZero();
     Eigen::ArrayXd with_end = pressure;
     with_end.tail(4).setZero();
-    CHECK_FALSE(detail::WavesMissed{2 * beside, with_end, distance, compliance}.raise_peak());
+    CHECK(detail::WavesMissed{30 * beside, with_end, parts, distance, compliance}.times() == 1);
+    // finer cells miss shorter waves, which are stiffer; those beyond the edge of the last cell that is pressed do not
+    // count
+    Eigen::ArrayXd both = 1.01 * wave + 0.6 * (2 * pi * place).sin() * wave.maxCoeff();
+    CHECK(times(both) == 4);
+    both += (place > 15.25 && place < 16).select(30 * (8 * pi * place).sin() * wave.maxCoeff(), 0);
+    CHECK(detail::WavesMissed{both, with_end, parts, distance, compliance}.times() == 4);
+}
+
+TEST_CASE("contact_search: changes by larger cells count over 1.5 % of loads, and over 6 % of pressures",
+          "[profiles]") {
+    constexpr double compliance = 1e-11, cell = 2e-4, infinite = std::numeric_limits<double>::infinity();
+    constexpr Eigen::Index count = 25, half = (count + 1) / 2;
+    const NormalContact::Cells grid{count, count, -cell * 12, -cell * 12, cell, cell},
+        twice{half, half, grid.x_0, grid.y_0, 2 * cell, 2 * cell};
+    NormalContact fine(compliance), coarse(compliance), used(1);
+    // a sphere, and one with a bump between the centres of larger cells
+    for (const bool bump : {false, true}) {
+        const auto gaps = [&](const NormalContact::Cells& of) {
+            NormalContact::Grid h(of.nx, of.ny);
+            for (Eigen::Index j = 0; j < of.ny; ++j) {
+                for (Eigen::Index i = 0; i < of.nx; ++i) {
+                    const double x = of.x(i), y = of.y(j), off = std::hypot(x - cell, y - cell) / cell;
+                    h(i, j) = x * x + y * y - (bump ? 5e-7 * std::exp(-4 * off * off) : 0);
+                }
+            }
+            return h;
+        };
+        const NormalContact::Grid h = gaps(grid);
+        const NormalContact::Solution solution = fine.approach(grid, h, 4e-6, 1e-6);
+        const auto change = [&](double counted) {
+            return detail::change_by_larger_cells(used, grid, h, solution, fine.pressure(), compliance, counted, 2, 2);
+        };
+        const double by_load = std::abs(coarse.approach(twice, gaps(twice), 4e-6, 1e-6).load / solution.load - 1),
+                     by_pressure = std::abs(
+                         detail::peak_pressure(coarse.pressure()) / detail::peak_pressure(fine.pressure()) - 1);
+        CHECK(change(infinite) == Approx(by_load / 0.015).epsilon(0.02));
+        CHECK(change(0) == Approx((std::max)(by_load / 0.015, by_pressure / 0.06)).epsilon(0.02));
+        CHECK((by_pressure / 0.06 > by_load / 0.015) == bump);
+    }
 }
 
 TEST_CASE("contact_search: a patch without an outline asks for cells in the direction with fewer", "[profiles]") {
@@ -688,13 +751,14 @@ TEST_CASE("contact_search: a patch without an outline asks for cells in the dire
     const auto wanted = [&](Eigen::Index in_x, Eigen::Index in_s, double negligible) {
         Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(20, 20);
         p.block(3, 4, in_x, in_s).setOnes();
-        const detail::CellDoubling of = detail::doubling_for_outlines(grid, p, negligible);
+        const detail::MoreCells of = detail::cells_for_outlines(grid, p, negligible);
         return std::pair(of.x, of.s);
     };
-    CHECK(wanted(12, 2, 0) == std::pair(false, true));
-    CHECK(wanted(2, 2, 0) == std::pair(true, true));
-    CHECK(wanted(2, 2, 5) == std::pair(false, false));
-    CHECK(wanted(12, 12, 0) == std::pair(false, false));
+    using Times = std::pair<Eigen::Index, Eigen::Index>;
+    CHECK(wanted(12, 2, 0) == Times(1, 2));
+    CHECK(wanted(2, 2, 0) == Times(2, 2));
+    CHECK(wanted(2, 2, 5) == Times(1, 1));
+    CHECK(wanted(12, 12, 0) == Times(1, 1));
 }
 
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {

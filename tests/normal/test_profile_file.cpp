@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -578,6 +579,47 @@ TEST_CASE("profile_file: a flange's back beside its place is doubted, where the 
     REQUIRE(file.doubts.size() == (*scene.doubt != '\0'));
     if (!file.doubts.empty()) CHECK_THAT(file.doubts[0], ContainsSubstring(scene.doubt));
     CHECK(read("a.csv", text, Use::piece, how).doubts.empty());
+}
+
+TEST_CASE("profile_file: noise from point to point is doubted, with a wave length that smooths it", "[profiles]") {
+    struct Scene {
+        double noise, distance;  // of points [mm]
+        bool doubted;
+    };
+    const auto [noise, distance, doubted] = GENERATE(values<Scene>(
+        {{0, 0.25, false}, {5e-5, 0.25, false}, {3e-3, 0.25, true}, {3e-3, 0.5, true}, {1e-3, 8, false}}));
+    CAPTURE(noise, distance);
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0, 1e-3 * noise);
+    const auto count = Eigen::Index(80 / distance) + 1;
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(count, -0.04, 0.04);
+    const auto crown = [](double at) { return at * at / 0.6; };
+    const std::string text =
+        lines({y, y.unaryExpr([&](double at) { return crown(at) + (noise > 0 ? normal(random) : 0); }), Use::piece});
+    const ProfileFile file = read("a.csv", text);
+    CHECK(file.notes.empty());
+    REQUIRE(file.doubts.size() == (doubted ? 1 : 0));
+    if (!doubted) return;
+    const std::string option = "--smooth ";
+    const double wave_length = std::stod(file.doubts[0].substr(file.doubts[0].find(option) + option.size()));
+    // what it leaves bends the curve by less than a rail's head is bent, half of it leaves more
+    const auto bend = [&](double smooth) {
+        const ProfileFile of = read("a.csv", text, Use::piece, {.per_metre = 1000, .smooth = smooth});
+        CHECK((smooth < wave_length || of.doubts.empty()));
+        const Eigen::ArrayXd off = std::get<Profile>(of.curve).z() - y.unaryExpr(crown);
+        const Eigen::Index middle = count / 2, from = count / 4;
+        const Eigen::ArrayXd bends =
+            (off.segment(from + 1, middle) - 2 * off.segment(from, middle) + off.segment(from - 1, middle)) /
+            std::pow(1e-3 * distance, 2);
+        return std::sqrt(bends.square().mean());
+    };
+    CHECK(bend(wave_length) < 3);
+    CHECK(bend(wave_length / 2) > 3);
+    // sections are read in the same way
+    const ProfileFile sections = read_profile(
+        folder().write("rough.slcs", "0 1\n2\n0\n1\n0 \"a.csv\"\n1000 \"a.csv\"\n"), Use::rail, {.per_metre = 1000});
+    REQUIRE(sections.doubts.size() == 1);
+    CHECK(sections.doubts[0] == "section 1: " + file.doubts[0]);
 }
 
 TEST_CASE("surface_file: a rail that is canted unasked is doubted", "[profiles]") {

@@ -52,8 +52,10 @@ struct ProfileFile {
 
     std::variant<Profile, Sections> curve;
     std::vector<std::string> notes;  ///< a line for each cleaning, turn and mirroring, with its place
-    /// A line for each sign that the profile is not meant as it is read, with the remedy: the back of a wheel's flange
-    /// more than 2 mm beside its place by tape_offset.
+    /// A line for each sign that the profile is not meant as it is read, with the remedy:
+    ///
+    /// - the back of a wheel's flange more than 2 mm beside its place by tape_offset;
+    /// - noise from point to point whose standard deviation exceeds 5e-4 of their distance in the median.
     std::vector<std::string> doubts{};
 };
 

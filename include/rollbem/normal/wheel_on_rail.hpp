@@ -136,6 +136,8 @@ public:
         /// Whether neither the wheel nor the rail changes along the way: contacts are then found on the wheel's
         /// silhouette.
         bool is_plain() const { return wheel_.is_round() && rail_.is_straight(); }
+        /// Whether both profiles are rough from point to point, where is_plain(), as raw measurements are.
+        bool is_rough() const { return rough_; }
         /// The rail's points, where is_plain().
         const detail::CurveIndex& index() const { return *index_; }
 
@@ -152,6 +154,7 @@ public:
         TrackDimensions dimensions_;
         TrackDimensions::Origin origin_{};
         double wheel_origin_ = 0;
+        bool rough_ = false;
         std::shared_ptr<const detail::CurveIndex> index_;  ///< shared by copies; none unless is_plain()
     };
 
@@ -182,7 +185,7 @@ public:
         bool interaction = true;
         /// Whether cells are halved, in the directions that need it, where halves would change the largest pressure of
         /// a patch by more than 5 %, or its load or approach by more than 0.5 %; few_cells where this would take too
-        /// many. If not, results are those of the given cells. Square cells are halved for outlines alone.
+        /// many, the sooner if both profiles are rough (Geometry::is_rough()). If not, results are those of the given cells. Square cells are halved for outlines alone.
         bool halves_cells = true;
     };
 

@@ -261,26 +261,28 @@ private:
 
     // `work`: that of the present cells.
     bool double_cells(std::size_t k, double work) {
-        // cells times steps of a contact, some tenths of a second; those after a doubling are estimated
-        constexpr double most_work = 5e6, rounds = 3;
+        // cells times steps of a contact, some tenths of a second; those after a doubling are estimated. Where the waves
+        // of two rough profiles meet is an accident of the position: worth less.
+        constexpr double rounds = 3;
+        const double most_work = geometry_->is_rough() ? 5e5 : 5e6;
         SolvedRegion& region = regions_[k];
         const NormalContact::Grid& p = normal_[k].pressure();
         // no cells resolve pressures that end where a surface does
         if (!(region.solution.load > 0) || border_of(region.gaps, p) != Status::ok) return false;
-        CellDoubling wanted = doubling_for_outlines(region.grid, p, negligible_load());
-        if (!wanted && settings_.cell_size == 0) wanted = doubling_for_pressures(k);
+        MoreCells wanted = cells_for_outlines(region.grid, p, negligible_load());
+        if (!wanted && settings_.cell_size == 0) wanted = cells_for_pressures(k);
         if (!wanted) return false;
-        if (settings_.cell_size > 0) wanted = {true, true};
-        const double times = (wanted.x ? 2 : 1) * (wanted.s ? 2 : 1);
-        region.resolved = work_ + rounds * times * work < most_work;
+        if (settings_.cell_size > 0) wanted = {2, 2};
+        region.resolved = work_ + rounds * double(wanted.x * wanted.s) * work < most_work;
         if (!region.resolved) return false;
-        if (wanted.x) region.times_x *= 2;
-        if (wanted.s) region.times_s *= 2;
+        region.times_x *= wanted.x;
+        region.times_s *= wanted.s;
         return true;
     }
 
-    // The directions in which cells are too large: where pressures on cells twice as large differ too much.
-    CellDoubling doubling_for_pressures(std::size_t k) {
+    // More cells in the directions in which they are too large: where pressures on cells twice as large differ too much,
+    // or waves lie between their centres.
+    MoreCells cells_for_pressures(std::size_t k) {
         const SolvedRegion& region = regions_[k];
         const NormalContact::Grid& h = interact() ? displaced(k) : region.gaps.h;
         const double counted = 20 * negligible_load();
@@ -288,30 +290,32 @@ private:
             return change_by_larger_cells(coarse_, region.grid, h, region.solution, normal_[k].pressure(),
                                           geometry_->compliance(), counted, every_x, every_s);
         };
-        const bool in_x = misses_waves(k, true), in_s = misses_waves(k, false);
-        if (in_x || in_s) return {in_x, in_s};
+        const MoreCells for_waves{times_for_waves(k, true), times_for_waves(k, false)};
+        if (for_waves) return for_waves;
         if (by(2, 2) < 1) return {};
         const bool by_x = by(2, 1) > by(1, 2);
-        return {by_x, !by_x};
+        return {by_x ? 2 : 1, by_x ? 1 : 2};
     }
 
-    // Whether gaps between the centres of cells, on the line along x or s through the largest pressure, could raise it
-    // by more than cells may miss.
-    bool misses_waves(std::size_t k, bool along_x) {
+    // How many times as many cells along x or s miss no waves of the gap on the line through the largest pressure.
+    Eigen::Index times_for_waves(std::size_t k, bool along_x) {
+        constexpr Eigen::Index few = 4, many = 32;
+        return times_for_waves(k, along_x, few) == 1 ? 1 : times_for_waves(k, along_x, many);
+    }
+    Eigen::Index times_for_waves(std::size_t k, bool along_x, Eigen::Index parts) {
         const SolvedRegion& region = regions_[k];
         const NormalContact::Cells& grid = region.grid;
         const NormalContact::Grid& p = normal_[k].pressure();
         Eigen::Index i = 0, j = 0;
         p.maxCoeff(&i, &j);
         NormalContact::Cells line = grid;
-        constexpr Eigen::Index parts = WavesMissed::parts;
         line.nx = along_x ? parts * (grid.nx - 1) + 1 : 1;
         line.ny = along_x ? 1 : parts * (grid.ny - 1) + 1;
         (along_x ? line.y_0 : line.x_0) = along_x ? grid.y(j) : grid.x(i);
-        (along_x ? line.dx : line.dy) /= parts;
+        (along_x ? line.dx : line.dy) /= double(parts);
         finder_.find(*geometry_, *placed_, at_.height, at_.along, region.plane, line, row_);
         const Eigen::ArrayXd h = row_.h.reshaped(), pressures = along_x ? p.col(j).eval() : p.row(i).transpose().eval();
-        return WavesMissed{h, pressures, along_x ? grid.dx : grid.dy, geometry_->compliance()}.raise_peak();
+        return WavesMissed{h, pressures, parts, along_x ? grid.dx : grid.dy, geometry_->compliance()}.times();
     }
 
     std::vector<Region> find_regions(double height) {

@@ -14,54 +14,67 @@
 
 namespace rollbem::detail {
 
-/// The directions in which cells are to be halved.
-struct CellDoubling {
-    bool x = false, s = false;
+/// How many times as many cells are needed in both directions: powers of 2.
+struct MoreCells {
+    Eigen::Index x = 1, s = 1;
 
-    explicit operator bool() const { return x || s; }
+    explicit operator bool() const { return x * s > 1; }
 };
 
-/// The directions in which a patch that carries more than `negligible` [N] has too few cells for an outline: that with
-/// fewer of them.
-inline CellDoubling doubling_for_outlines(const NormalContact::Cells& grid, const Eigen::ArrayXXd& pressure,
-                                          double negligible) {
+/// Twice as many cells where a patch that carries more than `negligible` [N] has too few for an outline, in the
+/// direction with fewer of them.
+inline MoreCells cells_for_outlines(const NormalContact::Cells& grid, const Eigen::ArrayXXd& pressure,
+                                    double negligible) {
     for (const Eigen::ArrayXXd& patch : split_into_patches(pressure)) {
         const bool counts = patch.sum() * grid.dx * grid.dy > negligible;
         if (!counts || contact_outline(grid, patch)) continue;
         const Eigen::Index in_x = (patch > 0).rowwise().any().count(), in_s = (patch > 0).colwise().any().count();
-        return {in_x <= in_s, in_s <= in_x};
+        return {in_x <= in_s ? 2 : 1, in_s <= in_x ? 2 : 1};
     }
     return {};
 }
 
-/// Gaps and pressures on a line of cells, gaps also at equal parts between their centres.
+/// Gaps and pressures on a line of cells, gaps also at equal parts of the distance of their centres.
 struct WavesMissed {
-    static constexpr Eigen::Index parts = 4;
     const Eigen::ArrayXd &h, &pressure;  ///< [m], [Pa]
+    Eigen::Index parts;                  ///< a power of 2, at least 4
     double distance;                     ///< of centres [m]
     double compliance;                   ///< 1/E* [1/Pa]
 
-    /// Whether what cells miss of the gaps could raise the largest pressure by more than 5 %. Waves of height A and
-    /// length L under full contact have pressures up to pi E* A/L; what gaps differ by from cubics through four
-    /// centres is taken for waves of twice the distance of centres.
-    bool raise_peak() const {
+    /// How many times as many cells miss nothing of the gaps that could raise the largest pressure by more than 5 %;
+    /// at most parts/2, where a quarter of that is not enough.
+    Eigen::Index times() const {
+        for (Eigen::Index apart = parts; apart >= 4; apart /= 2) {
+            if (!raise_peak(apart)) return parts / apart;
+        }
+        return parts / 2;
+    }
+
+private:
+    // Whether centres so many parts apart miss such waves, by quarters of their distance. Waves of height A and length
+    // L under full contact have pressures up to pi E* A/L; what gaps differ by from cubics through four centres is
+    // taken for waves of twice the distance of centres.
+    bool raise_peak(Eigen::Index apart) const {
         constexpr double by_pressure = 0.05;
+        constexpr Eigen::Index quarters = 4;
         const double most = (1 + by_pressure) * pressure.maxCoeff(),
-                     stiffness = std::numbers::pi / (2 * distance * compliance);
-        for (Eigen::Index i = 1; i + 2 < pressure.size(); ++i) {
-            if (!(pressure[i] > 0 && pressure[i + 1] > 0)) continue;
-            for (Eigen::Index part = 1; part < parts; ++part) {
-                const double t = double(part) / parts, missed = h[parts * i + part] - cubic(i, t);
-                if ((std::max)(pressure[i], pressure[i + 1]) + std::abs(missed) * stiffness > most) return true;
+                     stiffness = std::numbers::pi / (2 * distance * compliance) * double(parts) / double(apart);
+        for (Eigen::Index at = apart; at + 2 * apart < h.size(); at += apart) {
+            const double here = pressure_at(at), next = pressure_at(at + apart);
+            if (!(here > 0 && next > 0)) continue;
+            for (Eigen::Index part = 1; part < quarters; ++part) {
+                const double missed = h[at + part * apart / quarters] - cubic(at, apart, double(part) / quarters);
+                if ((std::max)(here, next) + std::abs(missed) * stiffness > most) return true;
             }
         }
         return false;
     }
 
-private:
+    double pressure_at(Eigen::Index at) const { return pressure[(at + parts / 2) / parts]; }
+
     // of the gaps at four centres, between the second and the third
-    double cubic(Eigen::Index i, double t) const {
-        const double a = h[parts * (i - 1)], b = h[parts * i], c = h[parts * (i + 1)], d = h[parts * (i + 2)];
+    double cubic(Eigen::Index at, Eigen::Index apart, double t) const {
+        const double a = h[at - apart], b = h[at], c = h[at + apart], d = h[at + 2 * apart];
         return ((t + 1) * (t - 1) * (t - 2) * b - (t + 1) * t * (t - 2) * c) / 2 + (t + 1) * t * (t - 1) * d / 6 -
                t * (t - 1) * (t - 2) * a / 6;
     }

@@ -286,7 +286,13 @@ ROLLBEM_DECL ProfileFile read_profile(const std::filesystem::path& path, Profile
     std::vector<std::string> notes;
     if (ending == ".slcs" || ending == ".slcw") {
         Sections sections = detail::read_sections(path, use, options, notes);
-        return {std::move(sections), std::move(notes)};
+        std::vector<std::string> doubts;
+        for (std::size_t k = 0; k < sections.sections().size() && doubts.empty(); ++k) {
+            const Profile& profile = sections.sections()[k].profile;
+            const std::string doubt = detail::doubt_of_roughness(profile.y(), profile.z());
+            if (!doubt.empty()) doubts.push_back("section " + std::to_string(k + 1) + ": " + doubt);
+        }
+        return {std::move(sections), std::move(notes), std::move(doubts)};
     }
     Profile profile = detail::ProfileReader(path, use, options, notes).read();
     try {
@@ -296,10 +302,13 @@ ROLLBEM_DECL ProfileFile read_profile(const std::filesystem::path& path, Profile
         throw std::invalid_argument(path.string() + ": " + error.what());
     }
     std::vector<std::string> doubts;
+    const auto add = [&](std::string doubt) {
+        if (!doubt.empty()) doubts.push_back(std::move(doubt));
+    };
     if (use == Profile::Use::wheel) {
-        const std::string doubt = detail::doubt_of_flange_back(profile.y(), profile.z(), options.tape_offset);
-        if (!doubt.empty()) doubts.push_back(doubt);
+        add(detail::doubt_of_flange_back(profile.y(), profile.z(), options.tape_offset));
     }
+    add(detail::doubt_of_roughness(profile.y(), profile.z()));
     return {std::move(profile), std::move(notes), std::move(doubts)};
 }
 

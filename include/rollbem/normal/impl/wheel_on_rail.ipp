@@ -15,6 +15,7 @@
 #include "../detail/finite_position.hpp"
 #include "../detail/highest_place.hpp"
 #include "../detail/plane_patches.hpp"
+#include "../detail/profile_doubts.hpp"
 #include "../detail/rail_samples.hpp"
 #include "../detail/region_solver.hpp"
 #include "../detail/silhouette_search.hpp"
@@ -87,6 +88,8 @@ ROLLBEM_DECL WheelOnRail::Geometry::Geometry(WheelSurface wheel, RailSurface rai
         auto index = std::make_shared<detail::CurveIndex>();
         index->build(detail::rail_samples(*this, 0));
         index_ = std::move(index);
+        const auto is_rough = [](const Profile& of) { return detail::median_noise(of.y(), of.z()).is_rough(); };
+        rough_ = is_rough(wheel_.profile()) && is_rough(rail_.profile());
     }
 }
 
