@@ -21,17 +21,19 @@ struct ContactTable::Interpolation {
 
     static constexpr const char* name = "ContactTable";
     static constexpr const char* magic = "rollbem contact geometry";
-    static constexpr std::uint32_t version = 2;
+    static constexpr std::uint32_t version = 3;
 
     /// A place on the grid, without the load.
     struct Cell {
         std::size_t shift;
+        double yaw;
         detail::HermiteWeights along;
         detail::RowWeights<most_yaws> across;
     };
     Cell cell(double lateral, double yaw) const noexcept {
         const std::size_t i = detail::interval_of(table.grid_.shifts, lateral);
         return {i,
+                yaw,
                 {lateral, table.grid_.shifts[i], table.grid_.shifts[i + 1]},
                 detail::even_weights<most_yaws>(table.grid_.yaws, yaw)};
     }
@@ -39,12 +41,12 @@ struct ContactTable::Interpolation {
     struct Sample {
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    /// Number of rows in whole packets that have derivatives; places on the profiles follow without.
-    static constexpr int differentiated_rows = packed_rows - 4;
-    static_assert(ContactRow::peak <= differentiated_rows && ContactRow::rail_y >= differentiated_rows);
-    /// Rows of a point over their means, at the place, under one load of the table.
+    /// Rows in whole packets that forces depend on; then peak and places, which have no derivatives.
+    static constexpr int differentiated_rows = ContactRow::peak, sampled_rows = differentiated_rows + 4;
+    static_assert(differentiated_rows % 4 == 0 && sampled_rows == int(ContactRow::correction_by_yaw) + 1);
+    /// Rows of a point over their means, at the place, under one load of the table; the correction with its odd part.
     struct LoadedRows {
-        Eigen::Array<double, packed_rows, 1> value;
+        Eigen::Array<double, sampled_rows, 1> value;
         Eigen::Array<double, differentiated_rows, 1> by_shift, by_yaw;
     };
     Eigen::Index first_node(std::size_t load) const { return table.grid_.node(load, 0, 0); }
@@ -77,32 +79,46 @@ struct ContactTable::Interpolation {
         return found;
     }
 
+    /// Weights of one yaw in the sums of sample_rows.
+    struct YawWeights {
+        double value, rate;
+    };
+
     /// Without `derivatives`, the derivatives in `found` are left unchanged.
     template <bool derivatives>
     void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
                      LoadedRows& found) const noexcept {
         using Four = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
         const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3];
+        found.value.setZero();
+        if constexpr (derivatives) {
+            found.by_shift.setZero();
+            found.by_yaw.setZero();
+        }
         for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k) {
             const Eigen::Index node = zone * table.grid_.nodes() + table.grid_.node(load, k, at.shift);
             const float *points = side.points.col(node).data(), *slopes = side.slopes.col(node).data();
-            const double across = at.across.value[k], turning = at.across.rate[k], r1 = across * at.along.rate[1],
-                         r2 = across * at.along.rate[2], r3 = across * at.along.rate[3];
-            const bool is_first = k == 0;
-            const auto add = [is_first](auto to, const Eigen::Array4d& more) { is_first ? to = more : to += more; };
-            for (int i = 0; i < packed_rows; i += 4) {
-                const Eigen::Array4d one = detail::to_double(Four(points + i)),
-                                     rise = detail::to_double(Four(points + packed_rows + i) - Four(points + i)),
-                                     low = detail::to_double(Four(slopes + i)),
-                                     high = detail::to_double(Four(slopes + packed_rows + i));
+            const YawWeights even{at.across.value[k], at.across.rate[k]},
+                odd{at.yaw * even.value, at.yaw * even.rate + even.value};
+            const auto add = [&](int from, int to, const YawWeights& w, const Eigen::Array4d& rows) {
+                const Eigen::Array4d one = detail::to_double(Four(points + from)),
+                                     rise = detail::to_double(Four(points + packed_rows + from) - Four(points + from)),
+                                     low = detail::to_double(Four(slopes + from)),
+                                     high = detail::to_double(Four(slopes + packed_rows + from));
                 // the first two weights add up to 1
                 const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
-                add(found.value.template segment<4>(i), across * here);
-                if constexpr (!derivatives) continue;
-                if (i >= differentiated_rows) continue;
-                add(found.by_shift.template segment<4>(i), r1 * rise + r2 * low + r3 * high);
-                add(found.by_yaw.template segment<4>(i), turning * here);
-            }
+                found.value.template segment<4>(to) += (w.value * rows) * here;
+                if constexpr (!derivatives) return;
+                if (to >= differentiated_rows) return;
+                found.by_shift.template segment<4>(to) +=
+                    (w.value * rows) * (at.along.rate[1] * rise + at.along.rate[2] * low + at.along.rate[3] * high);
+                found.by_yaw.template segment<4>(to) += (w.rate * rows) * here;
+            };
+            const Eigen::Array4d all = Eigen::Array4d::Ones(), last(0, 0, 0, 1);
+            for (int i = 0; i < sampled_rows; i += 4) add(i, i, even, all);
+            constexpr int apart = ContactRow::correction_by_yaw - ContactRow::correction;
+            add(ContactRow::peak, ContactRow::peak - apart, odd, last);
+            for (int i = sampled_rows; i < packed_rows; i += 4) add(i, i - apart, odd, all);
         }
     }
 
