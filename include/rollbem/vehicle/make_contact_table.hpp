@@ -48,8 +48,8 @@ public:
         WheelOnRail::Options contacts{};
         /// Zones of the left and of the right wheel; empty: found.
         std::array<std::optional<ContactTable::Zones>, 2> zones{};
-        /// Whether ellipses are fitted to friction on the patches between rest and full sliding, which takes most of the
-        /// time; otherwise errors are about half as large again.
+        /// Whether ellipses are fitted to friction on the patches between rest and full sliding, which takes most of
+        /// the time; otherwise errors are about half as large again.
         bool fits_friction = true;
         std::size_t jobs = 1;
         /// Called after each line of contacts, and after each line of the rows of a side; must not throw.

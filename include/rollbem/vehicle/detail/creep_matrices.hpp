@@ -220,8 +220,8 @@ inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact& contact, doub
     return matrix;
 }
 
-/// The creep matrix nearest to this one that dissipates under all creepages. A zone that a cut leaves of a patch may gain
-/// energy from its other zones.
+/// The creep matrix nearest to this one that dissipates under all creepages. A zone that a cut leaves of a patch may
+/// gain energy from its other zones.
 inline Eigen::Matrix3d dissipating(const Eigen::Matrix3d& matrix) {
     constexpr double least = 1e-2;  // of the largest dissipation, as rows are interpolated
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;

@@ -392,7 +392,8 @@ ROLLBEM_DECL void ContactTableMaker::interpolate_bends(std::size_t side, std::si
     }
 }
 
-ROLLBEM_DECL auto ContactTableMaker::node(std::size_t side, std::size_t line, std::size_t shift) const -> ContactTableMaker::Node {
+ROLLBEM_DECL auto ContactTableMaker::node(std::size_t side, std::size_t line, std::size_t shift) const
+    -> ContactTableMaker::Node {
     const Nodes::Node& own = nodes_.get().of[side][line * options_.grid.shifts.size() + shift];
     if (own.wheel.patches.empty()) return {};
     return {true, own.wheel.support, own.wheel.at.roll, own.zones};
