@@ -388,9 +388,7 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;
-    // on the cells from which the table was made
-    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace,
-                                                  {.cells_x = 60, .cells_s = 60, .halves_cells = false});
+    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
     REQUIRE(patches.contacts.status == Status::ok);
     ContactTable::Side plain = s1002().side(WheelsetSide::right);
     plain.points.row(ContactRow::creepage_scale).setOnes();
