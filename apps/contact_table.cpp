@@ -82,9 +82,11 @@ double making_seconds(const Scene& scene, const rollbem::ContactTableMaker::Opti
                  per_position = contacts / double(2 * (sides > 1 ? 2 * samples + 1 : samples + 1)),
                  per_node = std::max(all - contacts, 0.0) / (double(2 * (2 * samples + 1)) * sides);
     const double step = 2 * largest / double(shifts.size() - 1);
+    const auto per_metre = [&](double least) { return 1 / std::max(step, least); };
     // a quarter of the shifts is on flanges
-    const double fitted = lines * sides * 2 * largest * (0.75 / std::max(step, 0.4e-3) + 0.25 / std::max(step, 0.1e-3)),
-                 judged = making.zones[1] ? 0 : lines / 4 * sides * 2 * largest / std::max(step, 0.2e-3);
+    const double nodes = making.fits_friction ? 0.75 * per_metre(0.4e-3) + 0.25 * per_metre(0.1e-3) : 0,
+                 fitted = lines * sides * 2 * largest * nodes,
+                 judged = making.zones[1] ? 0 : lines / 4 * sides * 2 * largest * per_metre(0.2e-3);
     return positions * per_position + std::max(fitted, (fitted + judged) * 0.9) * per_node +
            double(judged_scenes(making.grid) * rounds) * (per_position + 2 * per_node / motions);
 }
