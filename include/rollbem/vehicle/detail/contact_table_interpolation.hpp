@@ -46,8 +46,7 @@ struct ContactTable::Interpolation {
     static_assert(differentiated_rows % 4 == 0 && sampled_rows == int(ContactRow::correction_by_yaw) + 1);
     /// Rows of a point over their means, at the place, under one load of the table; the correction with its odd part.
     struct LoadedRows {
-        Eigen::Array<double, sampled_rows, 1> value;
-        Eigen::Array<double, differentiated_rows, 1> by_shift, by_yaw;
+        Eigen::Array<double, packed_rows, 1> value, by_shift, by_yaw;
     };
     Eigen::Index first_node(std::size_t load) const { return table.grid_.node(load, 0, 0); }
 
@@ -79,47 +78,47 @@ struct ContactTable::Interpolation {
         return found;
     }
 
-    /// Weights of one yaw in the sums of sample_rows.
-    struct YawWeights {
-        double value, rate;
-    };
-
     /// Without `derivatives`, the derivatives in `found` are left unchanged.
     template <bool derivatives>
     void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
                      LoadedRows& found) const noexcept {
         using Four = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
-        const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3];
-        found.value.setZero();
-        if constexpr (derivatives) {
-            found.by_shift.setZero();
-            found.by_yaw.setZero();
-        }
-        for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k) {
-            const Eigen::Index node = zone * table.grid_.nodes() + table.grid_.node(load, k, at.shift);
-            const float *points = side.points.col(node).data(), *slopes = side.slopes.col(node).data();
-            const YawWeights even{at.across.value[k], at.across.rate[k]},
-                odd{at.yaw * even.value, at.yaw * even.rate + even.value};
-            const auto add = [&](int from, int to, const YawWeights& w, const Eigen::Array4d& rows) {
-                const Eigen::Array4d one = detail::to_double(Four(points + from)),
-                                     rise = detail::to_double(Four(points + packed_rows + from) - Four(points + from)),
-                                     low = detail::to_double(Four(slopes + from)),
-                                     high = detail::to_double(Four(slopes + packed_rows + from));
+        const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3], r1 = at.along.rate[1],
+                     r2 = at.along.rate[2], r3 = at.along.rate[3];
+        const Eigen::Index first = zone * table.grid_.nodes() + table.grid_.node(load, 0, at.shift);
+        const auto next = Eigen::Index(table.grid_.shifts.size() * packed_rows);  // from one yaw to the next
+        for (int i = 0; i < packed_rows; i += 4) {
+            const float *points = side.points.col(first).data() + i, *slopes = side.slopes.col(first).data() + i;
+            Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value, by_yaw = value;
+            for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k, points += next, slopes += next) {
+                const double across = at.across.value[k], turning = at.across.rate[k];
+                const Eigen::Array4d one = detail::to_double(Four(points)),
+                                     rise = detail::to_double(Four(points + packed_rows) - Four(points)),
+                                     low = detail::to_double(Four(slopes)),
+                                     high = detail::to_double(Four(slopes + packed_rows));
                 // the first two weights add up to 1
                 const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
-                found.value.template segment<4>(to) += (w.value * rows) * here;
-                if constexpr (!derivatives) return;
-                if (to >= differentiated_rows) return;
-                found.by_shift.template segment<4>(to) +=
-                    (w.value * rows) * (at.along.rate[1] * rise + at.along.rate[2] * low + at.along.rate[3] * high);
-                found.by_yaw.template segment<4>(to) += (w.rate * rows) * here;
-            };
-            const Eigen::Array4d all = Eigen::Array4d::Ones(), last(0, 0, 0, 1);
-            for (int i = 0; i < sampled_rows; i += 4) add(i, i, even, all);
-            constexpr int apart = ContactRow::correction_by_yaw - ContactRow::correction;
-            add(ContactRow::peak, ContactRow::peak - apart, odd, last);
-            for (int i = sampled_rows; i < packed_rows; i += 4) add(i, i - apart, odd, all);
+                value += across * here;
+                if constexpr (!derivatives) continue;
+                by_shift += across * (r1 * rise + r2 * low + r3 * high);
+                by_yaw += turning * here;
+            }
+            found.value.template segment<4>(i) = value;
+            if constexpr (!derivatives) continue;
+            found.by_shift.template segment<4>(i) = by_shift;
+            found.by_yaw.template segment<4>(i) = by_yaw;
         }
+        const auto add_odd_part = [&](auto& rows) {
+            rows.template segment<9>(ContactRow::correction) +=
+                at.yaw * rows.template segment<9>(ContactRow::correction_by_yaw);
+        };
+        if constexpr (derivatives) {
+            add_odd_part(found.by_shift);
+            add_odd_part(found.by_yaw);
+            found.by_yaw.template segment<9>(ContactRow::correction) +=
+                found.value.template segment<9>(ContactRow::correction_by_yaw);
+        }
+        add_odd_part(found.value);
     }
 
     auto wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept -> WheelOnRails {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -176,9 +177,8 @@ private:
         std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> share;
         std::array<ContactTable::Interpolation::LoadedRows, ContactTable::most_loads> rows;
         // rows and their derivatives at the present sum of loads
-        decltype(ContactTable::Interpolation::LoadedRows::value) value;
-        Eigen::Array<double, ContactTable::Interpolation::differentiated_rows, 1> by_sum;
-        decltype(ContactTable::Interpolation::LoadedRows::by_shift) by_shift, by_yaw;
+        Eigen::Array<double, ContactTable::Interpolation::sampled_rows, 1> value;
+        Eigen::Array<double, ContactTable::Interpolation::differentiated_rows, 1> by_sum, by_shift, by_yaw;
     };
 
     std::ptrdiff_t carry_count() const {
@@ -202,25 +202,23 @@ private:
             tangents_ ? nodes_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
                       : nodes_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
         }
-        using Rows = ContactTable::Interpolation::LoadedRows;
-        constexpr int differentiated = ContactTable::Interpolation::differentiated_rows;
-        const auto at_load = [&](const auto& weight, const auto& rows) {
-            auto sum = (weight[weights.first] * rows(of.rows[weights.first])).eval();
-            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * rows(of.rows[l]);
+        using Nodes = ContactTable::Interpolation;
+        const auto at_load = [&]<int count>(const auto& weight, auto rows, std::integral_constant<int, count>) {
+            const auto at = [&](std::size_t l) { return weight[l] * (of.rows[l].*rows).template head<count>(); };
+            auto sum = at(weights.first).eval();
+            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += at(l);
             return sum;
         };
+        constexpr std::integral_constant<int, Nodes::sampled_rows> sampled;
+        constexpr std::integral_constant<int, Nodes::differentiated_rows> differentiated;
         const auto& means = side_->interpolated_means;
-        of.value = at_load(
-            weights.value, [](const Rows& at) -> const auto& { return at.value; });
-        of.value += means.template head<ContactTable::Interpolation::sampled_rows>();
+        of.value = at_load(weights.value, &Nodes::LoadedRows::value, sampled);
+        of.value += means.template head<Nodes::sampled_rows>();
         of.value.template segment<9>(correction) += yaw * means.template segment<9>(correction_by_yaw);
         if constexpr (has_slopes<Number>) {
-            of.by_sum = at_load(weights.rate, [](const Rows& at) { return at.value.template head<differentiated>(); }) /
-                        (3 * root * root);
-            of.by_shift = at_load(
-                weights.value, [](const Rows& at) -> const auto& { return at.by_shift; });
-            of.by_yaw = at_load(
-                weights.value, [](const Rows& at) -> const auto& { return at.by_yaw; });
+            of.by_sum = at_load(weights.rate, &Nodes::LoadedRows::value, differentiated) / (3 * root * root);
+            of.by_shift = at_load(weights.value, &Nodes::LoadedRows::by_shift, differentiated);
+            of.by_yaw = at_load(weights.value, &Nodes::LoadedRows::by_yaw, differentiated);
             of.by_yaw.template segment<9>(correction) += means.template segment<9>(correction_by_yaw);
             multiply_slopes<Number>(of, arm_x, yaw);
             of.by_yaw[arm_x] += of.value[arm_x];
