@@ -115,7 +115,8 @@ TEST_CASE("forces without tangents are the forces with tangents, and so are stat
         for (std::size_t k = 0; k < at.points.size(); ++k) {
             CHECK(plain.points[k].load_share == Approx(at.points[k].load_share).margin(1e-7));
             if (!(at.points[k].load_share > 0)) continue;
-            CHECK(plain.points[k].normal_load == Approx(at.points[k].normal_load).epsilon(1e-6));
+            // a share that begins to carry rises steeply, relative to itself
+            CHECK(plain.points[k].normal_load == Approx(at.points[k].normal_load).epsilon(1e-6).margin(1e-14 * x[8]));
             CHECK(plain.points[k].force.lateral == Approx(at.points[k].force.lateral).margin(1e-6 * x[8]));
         }
     }

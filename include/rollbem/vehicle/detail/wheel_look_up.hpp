@@ -515,7 +515,7 @@ private:
     /// The sum of vertical normal loads by secants on values alone, first in single precision and, if no tangents
     /// follow, then in double precision; nothing if the secants do not converge at once.
     std::optional<double> secants(Pass<double>& pass) {
-        constexpr double settled = 1e-8, known = 1e-5;
+        constexpr double settled = 4e-9, known = 1e-5;
         const double load = input(WheelForces::load), missed = tangents_ ? 3e-8 : settled / 2;
         double sum = load, last = 0, before = -load, rate = 0;  // without normal loads nothing is carried
         is_rough_ = true;
