@@ -45,31 +45,56 @@ constexpr double friction = 0.3;
 
 // --- making ----------------------------------------------------------------------------------------------------------
 
-/// Seconds of processor time that a position takes, from one on the tread and one towards the flange.
-double position_seconds(const Scene& scene, const rollbem::ContactTableMaker::Options& making) {
+/// Seconds of processor time of a few nodes of the grid, on treads and flanges, by the first load and yaw: all of a
+/// kind, with friction where `fits`.
+double sample_seconds(const Scene& scene, rollbem::ContactTableMaker::Options few, bool fits) {
+    few.fits_friction = fits;
     const auto start = std::clock();
-    rollbem::ContactTableMaker::Options few = making;
-    few.grid.shifts = {-5e-3, -2.5e-3, 0, 2.5e-3, 5e-3};
-    for (double& shift : few.grid.shifts) shift *= std::min(1.0, making.grid.shifts.back() / 5e-3);
-    few.grid.yaws = {0, making.grid.yaws[1]};
-    few.grid.loads = {making.grid.loads.front()};
-    few.zones = {rollbem::ContactTable::Zones(), rollbem::ContactTable::Zones()};
-    few.jobs = 1;
-    few.done = [] {};
     try {
         make_contact_table(scene.wheelset, scene.creep, few);
     } catch (const std::invalid_argument&) {  // said when the whole is made
     }
-    return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// Number of scenes in which a table is judged; hardly any for tables of a few nodes.
+std::size_t judged_scenes(const ContactTable::Grid& grid) {
+    return std::clamp<std::size_t>(std::size_t(grid.nodes()) / 10, 2, 100);
+}
+
+/// Seconds of processor time that making takes: contacts of all positions, friction where ellipses are fitted and zones
+/// are judged, and the scenes in which the table is judged.
+double making_seconds(const Scene& scene, const rollbem::ContactTableMaker::Options& making) {
+    constexpr std::size_t samples = 4, motions = 35, rounds = 4;
+    const std::vector<double>& shifts = making.grid.shifts;
+    const double largest = shifts.back(), sides = scene.wheelset.is_mirrored() ? 1 : 2, lines = double(making.lines());
+    rollbem::ContactTableMaker::Options few = making;
+    few.grid.shifts.clear();
+    for (std::size_t k = 0; k <= 2 * samples; ++k) {
+        few.grid.shifts.push_back((double(k) / samples - 1) * std::min(largest, 6.4e-3));
+    }
+    few.grid.yaws.resize(2);
+    few.grid.loads.resize(1);
+    few.zones = {rollbem::ContactTable::Zones(), rollbem::ContactTable::Zones()};
+    few.done = [] {};
+    const double contacts = sample_seconds(scene, few, false), all = sample_seconds(scene, few, true);
+    const double positions = double(scene.wheelset.is_mirrored() ? shifts.size() / 2 + 1 : shifts.size()) * lines,
+                 per_position = contacts / double(2 * (sides > 1 ? 2 * samples + 1 : samples + 1)),
+                 per_node = std::max(all - contacts, 0.0) / (double(2 * (2 * samples + 1)) * sides);
+    const double step = 2 * largest / double(shifts.size() - 1);
+    const auto per_metre = [&](double least) { return 1 / std::max(step, least); };
+    // a quarter of the shifts is on flanges
+    const double nodes = making.fits_friction ? 0.75 * per_metre(0.4e-3) + 0.25 * per_metre(0.1e-3) : 0,
+                 fitted = lines * sides * 2 * largest * nodes,
+                 judged = making.zones[1] ? 0 : lines / 4 * sides * 2 * largest * per_metre(0.2e-3);
+    return positions * per_position + std::max(fitted, (fitted + judged) * 0.9) * per_node +
+           double(judged_scenes(making.grid) * rounds) * (per_position + 2 * per_node / motions);
 }
 
 void say_duration(const Scene& scene, const rollbem::ContactTableMaker::Options& making, const char* of) {
     if (!scene.threads.shows) return;
-    const std::size_t shifts = making.grid.shifts.size();
-    const std::size_t positions = making.lines() * (scene.wheelset.is_mirrored() ? shifts / 2 + 1 : shifts);
-    const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
-    std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time%s\n", program, positions,
-                 std::max(seconds, 1.0), of);
+    std::fprintf(stderr, "%s: %zu lines of %zu shifts, about %.0f s of processor time%s\n", program, making.lines(),
+                 making.grid.shifts.size(), std::max(making_seconds(scene, making), 1.0), of);
 }
 
 void say_what_was_made(const Scene& scene, const ContactTable& table, double asked) {
@@ -88,6 +113,41 @@ void say_what_was_made(const Scene& scene, const ContactTable& table, double ask
     }
 }
 
+std::string text_of(const ContactTable::Errors& errors) {
+    const auto text = [](double value) { return study::Cell(value).text(3); };
+    std::string line = text(errors.least_load / 1e3) + " to " + text(errors.most_load / 1e3) + " kN, " +
+                       text(errors.wheels) + " wheels";
+    for (std::size_t k = 0; k < 2; ++k) {
+        line += (k == 0 ? ": F_x" : "; F_y") + std::string(" mean ") + text(errors.mean[k]) + ", 95 % below " +
+                text(errors.most_of_95[k]) + ", largest " + text(errors.largest[k]);
+    }
+    return line;
+}
+
+/// The mean error of F_x or F_y, the larger.
+double mean_error(const std::vector<ContactTable::Errors>& all) {
+    double wheels = 0;
+    std::array<double, 2> sums{};
+    for (const ContactTable::Errors& of : all) {
+        wheels += of.wheels;
+        for (std::size_t k = 0; k < 2; ++k) sums[k] += of.wheels * of.mean[k];
+    }
+    return wheels > 0 ? std::max(sums[0], sums[1]) / wheels : 0;
+}
+
+void say_errors(const std::vector<ContactTable::Errors>& all, bool shows) {
+    constexpr double most = 0.005;
+    for (const ContactTable::Errors& of : all) {
+        if (shows) std::fprintf(stderr, "%s: differences from patches over mu Q, %s\n", program, text_of(of).c_str());
+    }
+    if (mean_error(all) > most) {
+        std::fprintf(stderr,
+                     "%s: forces differ from patches by %.4f mu Q in the mean, above %g: more shifts, loads or zones "
+                     "help unless profiles are rough\n",
+                     program, mean_error(all), most);
+    }
+}
+
 rollbem::ContactTableMaker maker_of(const Making& job) {
     return study::blame(job.said,
                         [&] { return rollbem::ContactTableMaker(job.scene.wheelset, job.scene.creep, job.making); });
@@ -96,7 +156,8 @@ rollbem::ContactTableMaker maker_of(const Making& job) {
 ContactTable make(const Making& job) {
     const bool computes = job.sides.empty();
     if (computes) say_duration(job.scene, job.making, "");
-    study::Progress progress(program, job.making.lines(), job.scene.threads.shows && computes, "lines");
+    const std::size_t sides = job.scene.wheelset.is_mirrored() ? 1 : 2;
+    study::Progress progress(program, job.making.lines() * (1 + sides), job.scene.threads.shows && computes, "lines");
     std::size_t done = 0;
     rollbem::ContactTableMaker::Options making = job.making;
     making.done = [&] { progress.update(++done); };
@@ -169,73 +230,136 @@ Compared compare(const Scene& scene, const ContactTable& table, WheelsetRolling 
     return result;
 }
 
-/// Mean, largest, and the share below which 95 % are.
-std::string summary(std::vector<double> all) {
+/// Mean, the value below which 95 % lie, and the largest.
+struct Spread {
+    double mean = 0, most_of_95 = 0, largest = 0;
+
+    explicit Spread(std::vector<double> all) {
+        std::sort(all.begin(), all.end());
+        for (const double one : all) mean += one / double(all.size());
+        most_of_95 = all[(all.size() * 95 + 99) / 100 - 1];
+        largest = all.back();
+    }
+};
+
+std::string summary(const std::vector<double>& all) {
     if (all.empty()) return "none";
-    std::sort(all.begin(), all.end());
-    double sum = 0;
-    for (const double one : all) sum += one;
+    const Spread spread(all);
     const auto text = [](double value) { return study::Cell(value).text(3); };
-    return "mean " + text(sum / double(all.size())) + ", 95 % below " + text(all[(all.size() * 95 + 99) / 100 - 1]) +
-           ", largest " + text(all.back());
+    return "mean " + text(spread.mean) + ", 95 % below " + text(spread.most_of_95) + ", largest " +
+           text(spread.largest);
 }
 
-/// A random scene: shift to the table's largest or 6.1 mm, yaw to 10 mrad, equal loads within the table's range,
-/// creepages that would need 0.05 to 5 mu N in the linear law, in a random direction.
+/// A random scene: shift to the table's largest or 6 mm, yaw to 8 mrad, equal loads within the table's range, curves to
+/// 300 m, creepages that would need 0.05 to 5 mu N in the linear law, in a random direction; a fifth rolls backwards.
 WheelsetRolling random_scene(const ContactTable& table, double radius, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform;
-    constexpr double speed = 20, widest = 6.1e-3, turned = 10e-3;
+    constexpr double widest = 6e-3, turned = 8e-3, curve = 300;
+    const double speed = 20 * (uniform(random) < 0.2 ? -1 : 1);
     WheelsetRolling rolling;
     rolling.position.lateral = std::min(widest, table.largest_shift()) * (2 * uniform(random) - 1);
     rolling.position.yaw = std::min(turned, table.largest_yaw()) * (2 * uniform(random) - 1);
     const auto& loads = table.grid().loads;
-    const double load = loads.front() * std::pow(loads.back() / loads.front(), uniform(random));
+    const double load = loads.front() + (loads.back() - loads.front()) * uniform(random);
     rolling.loads = {load, load};
     const double size = 0.05 * std::pow(100, uniform(random)), direction = 2 * std::numbers::pi * uniform(random);
     const double unit = size * friction * load / (table.shear_modulus() * 3.5e-5 * 4);  // c11, c22 are about 4
     rolling.free_pitch = false;
     rolling.speeds = {.forward = speed,
                       .pitch_rate = -speed / radius * (1 - unit * std::cos(direction)),
-                      .lateral = speed * (rolling.position.yaw + unit * std::sin(direction))};
+                      .lateral = speed * (rolling.position.yaw + unit * std::sin(direction)),
+                      .yaw_rate = speed * (2 * uniform(random) - 1) / curve};
     const auto rails = table.on_rails(rolling.position.lateral, rolling.position.yaw, rolling.loads);
     rolling.speeds.vertical = rails.height_by_lateral * rolling.speeds.lateral;
     rolling.speeds.roll_rate = rails.roll_by_lateral * rolling.speeds.lateral;
     return rolling;
 }
 
-/// Writes how far the table is from patches in `count` random scenes. Returns the exit code.
-int check(const Comparison& comparison) {
-    const Scene& scene = comparison.scene;
-    const ContactTable& table = comparison.table;
-    const std::size_t count = comparison.scenes;
-    std::vector<Compared> compared(count);
-    std::vector<double> loads(count);
+/// Random scenes by table and by patches.
+struct Checked {
+    std::vector<Compared> compared;
+    std::vector<double> loads;
+
+    std::size_t count() const { return compared.size(); }
+    bool ok(std::size_t i) const { return compared[i].status == "ok"; }
+    Eigen::Array3d difference(std::size_t i, std::size_t side) const {
+        return (compared[i].table[side] - compared[i].patches[side]).abs() / (friction * loads[i]);
+    }
+};
+
+Checked check_scenes(const Scene& scene, const ContactTable& table, std::size_t count) {
+    Checked found{std::vector<Compared>(count), std::vector<double>(count)};
     in_parallel(scene.threads, count, "scenes", [&](std::size_t i) {
         const WheelsetRolling rolling = random_scene(table, scene.wheelset.wheel().dimensions().radius, i + 1);
-        loads[i] = rolling.loads[0];
-        compared[i] = compare(scene, table, rolling);
+        found.loads[i] = rolling.loads[0];
+        found.compared[i] = compare(scene, table, rolling);
     });
+    return found;
+}
+
+/// Errors between neighbouring loads of the table.
+std::vector<ContactTable::Errors> errors_by_load(const ContactTable& table, const Checked& checked) {
+    const std::vector<double>& loads = table.grid().loads;
+    std::vector<ContactTable::Errors> found;
+    for (std::size_t l = 0; l < std::max<std::size_t>(loads.size() - 1, 1); ++l) {
+        const double low = loads[l], high = loads[std::min(l + 1, loads.size() - 1)];
+        std::array<std::vector<double>, 2> all;
+        for (std::size_t i = 0; i < checked.count(); ++i) {
+            const bool last = l + 2 >= loads.size();
+            if (!checked.ok(i) || checked.loads[i] < low || (checked.loads[i] >= high && !last)) continue;
+            for (std::size_t side = 0; side < 2; ++side) {
+                for (std::size_t k = 0; k < 2; ++k) all[k].push_back(checked.difference(i, side)[Eigen::Index(k)]);
+            }
+        }
+        if (all[0].empty()) continue;
+        ContactTable::Errors& of = found.emplace_back();
+        of = {.least_load = low, .most_load = high, .wheels = double(all[0].size())};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Spread spread(all[k]);
+            of.mean[k] = spread.mean;
+            of.most_of_95[k] = spread.most_of_95;
+            of.largest[k] = spread.largest;
+        }
+    }
+    return found;
+}
+
+/// The table with the errors that it has in random scenes.
+ContactTable judged_table(const Scene& scene, const ContactTable& table) {
+    std::vector<ContactTable::Errors> errors =
+        errors_by_load(table, check_scenes(scene, table, judged_scenes(table.grid())));
+    say_errors(errors, scene.threads.shows);
+    return table.with_errors(std::move(errors));
+}
+
+/// Writes how far the table is from patches in `count` random scenes. Returns the exit code.
+int check(const Comparison& comparison) {
+    const ContactTable& table = comparison.table;
+    const Checked checked = check_scenes(comparison.scene, table, comparison.scenes);
     std::array<std::vector<double>, 3> differences;
     std::vector<double> powers;
     std::size_t without = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Compared& one = compared[i];
-        without += one.status != "ok";
-        if (one.status != "ok") continue;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const Eigen::Array3d difference = (one.table[k] - one.patches[k]).abs() / (friction * loads[i]);
-            for (std::size_t row = 0; row < 3; ++row) differences[row].push_back(difference[Eigen::Index(row)]);
+    for (std::size_t i = 0; i < checked.count(); ++i) {
+        without += !checked.ok(i);
+        if (!checked.ok(i)) continue;
+        for (std::size_t side = 0; side < 2; ++side) {
+            for (std::size_t row = 0; row < 3; ++row)
+                differences[row].push_back(checked.difference(i, side)[Eigen::Index(row)]);
         }
-        powers.push_back(std::abs(one.power / one.heat - 1));
+        powers.push_back(std::abs(checked.compared[i].power / checked.compared[i].heat - 1));
     }
     study::OutputFile output = study::OutputFile::standard_output();
-    output.write("scenes " + std::to_string(count) + ", without a result " + std::to_string(without) + "\n");
+    output.write("scenes " + std::to_string(checked.count()) + ", without a result " + std::to_string(without) + "\n");
     output.write("F_x over mu Q: " + summary(differences[0]) + "\n");
     output.write("F_y over mu Q: " + summary(differences[1]) + "\n");
     output.write("M_z over 0.75 m mu Q: " + summary(differences[2]) + "\n");
     output.write("power of the forces over the creep work, less 1: " + summary(powers) + "\n");
+    const auto by_load = errors_by_load(table, checked);
+    for (const ContactTable::Errors& of : by_load) output.write(text_of(of) + "\n");
+    for (const ContactTable::Errors& of : table.errors()) output.write("the file says " + text_of(of) + "\n");
     output.commit();
+    say_errors(by_load, false);
     return powers.empty() ? study::exit_failed : study::exit_ok;
 }
 
@@ -321,10 +445,12 @@ Smooth weights part the rail into at most four zones, whose cuts the program fin
 --shard writes rows of numbers in place of the file, one for each node, side and possible zone: load, yaw, shift, side,
 zone, then the zone's cut and the values at the node. Each part finds the zones anew, from a quarter of all positions,
 unless --zones gives them; parts of whole lines of shifts take least time.
---check: random cases with |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within the table, creepages in a random
-direction whose linear forces are 0.05 to 5 mu N, mu = 0.3, 20 m/s. Lines on standard output: differences between table
-and patches (rolling_forces) of F_x, F_y and M_z (about the middle of the axle, over 0.75 m), over mu Q; and the
-relative difference between the power of the table's forces on the rigid motion, in a curve of 300 m, and creep work.
+--check: random cases with |shift| <= 6 mm, |yaw| <= 8 mrad, equal loads within the table, curves to 300 m, creepages in
+a random direction whose linear forces are 0.05 to 5 mu N, mu = 0.3, a fifth rolling backwards. Lines on standard
+output: differences between table and patches (rolling_forces) of F_x, F_y and M_z (about the middle of the axle, over
+0.75 m), over mu Q; the relative difference between the power of the table's forces on the rigid motion, in a curve of
+300 m, and creep work; differences of F_x and F_y by load; and those that the file says. Making a table ends with 100
+such cases, whose differences are said and written into the file, with a warning above 0.005 in the mean.
 --scan: a row for each load, yaw, shift and side, on straight track with free pitch, mu = 0.3:
 )" + scan_sheet().help() +
            R"(One line on standard error ends it: mean and largest differences over mu Q.
@@ -363,7 +489,7 @@ int main(int argc, char** argv) {
             study::OutputFiles files;
             study::OutputFile& file = files.open(given.text("output"), "--output");
             given.say_doubts();
-            const ContactTable table = make(job);
+            const ContactTable table = judged_table(job.scene, make(job));
             std::ostringstream bytes;
             table.write(bytes);
             file.write(bytes.str());

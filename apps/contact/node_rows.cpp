@@ -16,15 +16,21 @@ using rollbem::ContactRow, rollbem::ContactTable, rollbem::ContactTableMaker;
 constexpr std::size_t zones = ContactTable::Zones::most;
 
 std::vector<std::string> columns() {
-    std::vector<std::string> names = study::cells_of(
-        "load,yaw,shift,side,zone,cut_y,cut_half_width,height,roll,status,share,arm_x_over_yaw,arm_y,arm_z,angle,"
-        "rolling_radius,half_length_over_root,half_width_over_root,c11,c22,c23,kept,scale");
-    for (const char* kind : {"correction_", "correction_over_yaw_"}) {
+    std::vector<std::string> names =
+        study::cells_of("load,yaw,shift,side,zone,cut_y,cut_half_width,height,roll,status,share,arm_x_over_yaw,arm_y");
+    const auto add = [&](const char* more) {
+        for (const std::string& name : study::cells_of(more)) names.push_back(name);
+    };
+    const auto add_matrix = [&](const char* kind) {
         for (int entry = 0; entry < 9; ++entry) {
             names.push_back(kind + std::to_string(entry / 3 + 1) + std::to_string(entry % 3 + 1));
         }
-    }
-    for (const char* name : {"peak_pressure_over_root", "rail_y", "wheel_y"}) names.emplace_back(name);
+    };
+    add_matrix("correction_");
+    add("arm_z,angle,plane,rolling_radius,half_length_over_root,half_width_over_root,c11,c22,c23,kept,scale");
+    add_matrix("bend_");
+    add("peak_pressure_over_root,rail_y,wheel_y");
+    add_matrix("correction_over_yaw_");
     return names;
 }
 constexpr std::size_t key_columns = 5, first_value = 5;  // after the key: cut, height, roll and status

@@ -252,6 +252,9 @@ void add_options(study::Options& options) {
         "cuts between zones of the rail: y, half-width of each, in track axes [m]; found by the program without it");
     options.add("left-zones", "LIST",
                 "cuts between zones of the left rail, as of a right one [m]; found by the program without it");
+    options.add_flag("no-fit",
+                     "without the fit of ellipses to friction on patches between rest and full sliding: in a fraction "
+                     "of the time, with errors half as large again");
     options.add_input(
         "creep",
         "file of the creep-force table with which the contact table will be used; default: steel.creep, for steel");
@@ -263,8 +266,8 @@ void add_options(study::Options& options) {
                 "patches, in place of making one");
     options.add_argument("table", "file of the contact table to compare").only_with({"check", "scan"});
     options.not_with({"scan"}, "check");
-    options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "check");
-    options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "scan");
+    options.not_with({"load", "shift", "yaw", "zones", "left-zones", "no-fit"}, "check");
+    options.not_with({"load", "shift", "yaw", "zones", "left-zones", "no-fit"}, "scan");
     options.only_with({"left-zones"}, {"left-wheel", "left-rail", "left-radius"});
     options.refuse("plot", "draw contacts with profile_study");
     options.refuse("no-timing", "rows have no times");
@@ -285,6 +288,7 @@ void add_options(study::Options& options) {
 Making read_making(const study::Options& options) {
     rollbem::ContactTableMaker::Options making{.grid = read_grid(options), .jobs = study::job_count(options)};
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
+    making.fits_friction = !options.flag("no-fit");
     const bool to_file = options.given("output") && options.text("output") != "-";
     options.require(to_file || options.given("shard"), "output", "be a file: a contact table is not text");
     Making job{read_scene(options), std::move(making),

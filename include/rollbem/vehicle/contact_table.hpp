@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -137,6 +138,14 @@ public:
     struct Material {
         double shear_modulus, poisson_ratio;
     };
+    /// How far wheels by the table were from wheels by their patches, at random places between its nodes, under loads
+    /// of a range: differences of F_x and of F_y over mu Q.
+    struct Errors {
+        double least_load, most_load;                ///< [N]
+        double wheels;                               ///< their number
+        std::array<double, 2> mean{}, most_of_95{};  ///< in the mean; 95 % are below
+        std::array<double, 2> largest{};
+    };
 
     /// Height and roll of a wheelset, and their derivatives.
     struct OnRails {
@@ -160,18 +169,29 @@ public:
     /// numbers of nodes differ, a value is not finite, or one of ContactRow::positive is not.
     ContactTable(Grid grid, Material material, std::vector<Side> sides);
 
+    /// The same table, which says its errors.
+    ContactTable with_errors(std::vector<Errors> errors) const {
+        ContactTable table = *this;
+        table.errors_ = std::move(errors);
+        return table;
+    }
+
     /// Reads the format of write(); throws as CreepForceTable::read does.
     static ContactTable read(std::istream& stream);
     static ContactTable read(const std::filesystem::path& path);
 
-    /// Little-endian, version 2: the text "rollbem contact geometry"; version, numbers of shifts, yaws, loads and sides
-    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); for each side the number of cuts (32 bits), the
-    /// radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for each node height and
-    /// roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their means (32 bits each);
-    /// then the checksum FNV-1a of all bytes before (64 bits).
+    /// Little-endian, version 3: the text "rollbem contact geometry"; version, numbers of shifts, yaws, loads and sides
+    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); the number of Errors (32 bits), and for each its loads,
+    /// number of wheels, mean, 95 % and largest of F_x, then of F_y (64 bits each); for each side the number of cuts (32
+    /// bits), the radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for each node
+    /// height and roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their means (32
+    /// bits each); then the checksum FNV-1a of all bytes before (64 bits). Files of version 2, without plane, bend and
+    /// errors, are read, too.
     void write(std::ostream& stream) const;
 
     const Grid& grid() const { return grid_; }
+    /// Of contact_table's random wheels, by rising loads; none of tables of version 2 or made by other programs.
+    const std::vector<Errors>& errors() const { return errors_; }
     double largest_shift() const { return grid_.shifts.back(); }  ///< [m]
     double largest_yaw() const { return grid_.yaws.back(); }      ///< [rad]
     double shear_modulus() const { return material_.shear_modulus; }
@@ -211,7 +231,8 @@ private:
     struct Interpolation;  // internal
 
     /// Number of rows in whole packets of four numbers.
-    static constexpr int packed_rows = (static_cast<int>(ContactRow::rows) + 3) / 4 * 4;
+    static constexpr int packed_rows = static_cast<int>(ContactRow::rows);
+    static_assert(packed_rows % 4 == 0);
     /// Numbers in the form used by look-ups: rows of points over their means in single precision, which halves the
     /// memory that a look-up touches, filled in where zones carry nothing; and slopes by the shift. Of positive rows
     /// they are the logarithms: cubics through the rows themselves fall below 0 where a zone begins to carry.
@@ -234,6 +255,7 @@ private:
     Material material_;
     std::vector<double> roots_;  ///< cube roots of the loads
     std::vector<Stored> sides_;
+    std::vector<Errors> errors_;
 };
 
 /// Forces of the rail on one wheel.
@@ -242,7 +264,8 @@ struct WheelForces {
     struct Point {
         double load_share = 0;        ///< share of the vertical load, without friction [-]; 0: no contact, no numbers
         std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
-        double angle = 0;             ///< angle delta of the pressures' mean normal [rad]
+        double angle = 0;             ///< angle delta of the pressures' mean normal, along which N acts [rad]
+        double friction_angle = 0;    ///< angle of the plane in which the force acts: of the patches' planes [rad]
         double rolling_radius = 0;    ///< [m]
         double rail_y = 0, wheel_y = 0;      ///< y of the point in both profiles [m]
         double normal_load = 0;              ///< N [N]

@@ -158,6 +158,10 @@ WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mir
 std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                      const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
                                      const RollingFriction& friction);
+/// The same for each of several motions, in their order; elements of a plane are assembled once for motions forward.
+std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                                  const std::vector<WheelsetSpeeds>& motions,
+                                                  const TrackDimensions& dimensions, const RollingFriction& friction);
 inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                               const TrackDimensions& dimensions, const RollingFriction& friction) {
     return patch_forces({patch}, at, speeds, dimensions, friction)[0];

@@ -21,17 +21,19 @@ struct ContactTable::Interpolation {
 
     static constexpr const char* name = "ContactTable";
     static constexpr const char* magic = "rollbem contact geometry";
-    static constexpr std::uint32_t version = 2;
+    static constexpr std::uint32_t version = 3;
 
     /// A place on the grid, without the load.
     struct Cell {
         std::size_t shift;
+        double yaw;
         detail::HermiteWeights along;
         detail::RowWeights<most_yaws> across;
     };
     Cell cell(double lateral, double yaw) const noexcept {
         const std::size_t i = detail::interval_of(table.grid_.shifts, lateral);
         return {i,
+                yaw,
                 {lateral, table.grid_.shifts[i], table.grid_.shifts[i + 1]},
                 detail::even_weights<most_yaws>(table.grid_.yaws, yaw)};
     }
@@ -39,13 +41,12 @@ struct ContactTable::Interpolation {
     struct Sample {
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    /// Number of rows in whole packets that have derivatives; places on the profiles follow without.
-    static constexpr int differentiated_rows = packed_rows - 4;
-    static_assert(ContactRow::peak <= differentiated_rows && ContactRow::rail_y >= differentiated_rows);
-    /// Rows of a point over their means, at the place, under one load of the table.
+    /// Rows in whole packets that forces depend on; then peak and places, which have no derivatives.
+    static constexpr int differentiated_rows = ContactRow::peak, sampled_rows = differentiated_rows + 4;
+    static_assert(differentiated_rows % 4 == 0 && sampled_rows == int(ContactRow::correction_by_yaw) + 1);
+    /// Rows of a point over their means, at the place, under one load of the table; the correction with its odd part.
     struct LoadedRows {
-        Eigen::Array<double, packed_rows, 1> value;
-        Eigen::Array<double, differentiated_rows, 1> by_shift, by_yaw;
+        Eigen::Array<double, packed_rows, 1> value, by_shift, by_yaw;
     };
     Eigen::Index first_node(std::size_t load) const { return table.grid_.node(load, 0, 0); }
 
@@ -82,28 +83,42 @@ struct ContactTable::Interpolation {
     void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
                      LoadedRows& found) const noexcept {
         using Four = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
-        const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3];
-        for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k) {
-            const Eigen::Index node = zone * table.grid_.nodes() + table.grid_.node(load, k, at.shift);
-            const float *points = side.points.col(node).data(), *slopes = side.slopes.col(node).data();
-            const double across = at.across.value[k], turning = at.across.rate[k], r1 = across * at.along.rate[1],
-                         r2 = across * at.along.rate[2], r3 = across * at.along.rate[3];
-            const bool is_first = k == 0;
-            const auto add = [is_first](auto to, const Eigen::Array4d& more) { is_first ? to = more : to += more; };
-            for (int i = 0; i < packed_rows; i += 4) {
-                const Eigen::Array4d one = detail::to_double(Four(points + i)),
-                                     rise = detail::to_double(Four(points + packed_rows + i) - Four(points + i)),
-                                     low = detail::to_double(Four(slopes + i)),
-                                     high = detail::to_double(Four(slopes + packed_rows + i));
+        const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3], r1 = at.along.rate[1],
+                     r2 = at.along.rate[2], r3 = at.along.rate[3];
+        const Eigen::Index first = zone * table.grid_.nodes() + table.grid_.node(load, 0, at.shift);
+        const auto next = Eigen::Index(table.grid_.shifts.size() * packed_rows);  // from one yaw to the next
+        for (int i = 0; i < packed_rows; i += 4) {
+            const float *points = side.points.col(first).data() + i, *slopes = side.slopes.col(first).data() + i;
+            Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value, by_yaw = value;
+            for (std::size_t k = 0; k < table.grid_.yaws.size(); ++k, points += next, slopes += next) {
+                const double across = at.across.value[k], turning = at.across.rate[k];
+                const Eigen::Array4d one = detail::to_double(Four(points)),
+                                     rise = detail::to_double(Four(points + packed_rows) - Four(points)),
+                                     low = detail::to_double(Four(slopes)),
+                                     high = detail::to_double(Four(slopes + packed_rows));
                 // the first two weights add up to 1
                 const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
-                add(found.value.template segment<4>(i), across * here);
+                value += across * here;
                 if constexpr (!derivatives) continue;
-                if (i >= differentiated_rows) continue;
-                add(found.by_shift.template segment<4>(i), r1 * rise + r2 * low + r3 * high);
-                add(found.by_yaw.template segment<4>(i), turning * here);
+                by_shift += across * (r1 * rise + r2 * low + r3 * high);
+                by_yaw += turning * here;
             }
+            found.value.template segment<4>(i) = value;
+            if constexpr (!derivatives) continue;
+            found.by_shift.template segment<4>(i) = by_shift;
+            found.by_yaw.template segment<4>(i) = by_yaw;
         }
+        const auto add_odd_part = [&](auto& rows) {
+            rows.template segment<9>(ContactRow::correction) +=
+                at.yaw * rows.template segment<9>(ContactRow::correction_by_yaw);
+        };
+        if constexpr (derivatives) {
+            add_odd_part(found.by_shift);
+            add_odd_part(found.by_yaw);
+            found.by_yaw.template segment<9>(ContactRow::correction) +=
+                found.value.template segment<9>(ContactRow::correction_by_yaw);
+        }
+        add_odd_part(found.value);
     }
 
     auto wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept -> WheelOnRails {

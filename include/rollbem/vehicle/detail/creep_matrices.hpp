@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "../../detail/require.hpp"
@@ -115,6 +116,7 @@ struct ZonePressures {
     double angle = 0;                   ///< angle of the mean normal [rad]
     double square_x = 0, square_s = 0;  ///< second moments about the place over the load [m^2]
     double radius = 0, rail_y = 0, wheel_y = 0, peak = 0;
+    double plane = 0;  ///< mean angle of the planes of the patches [rad]
 
     double vertical() const { return load * std::cos(angle); }
     Eigen::Vector3d along_s() const { return {0, std::cos(angle), std::sin(angle)}; }
@@ -158,13 +160,14 @@ inline ZonePressures pressures_of(const std::vector<PatchCreepMatrices>& patches
         found.radius += force * (patch.rolling_radius + s * sine);
         found.rail_y += force * (patch.rail_y + s * cosine);
         found.wheel_y += force * (patch.wheel_y + s * cosine);
+        found.plane += force * patch.angle;
         found.peak = (std::max)(found.peak, pressure);
     });
     if (!(sum > 0)) return found;
     found.load = normal.norm();
     found.angle = std::atan2(-normal[1], normal[2]);
     found.place = place / sum;
-    for (double* mean : {&found.radius, &found.rail_y, &found.wheel_y}) *mean /= sum;
+    for (double* mean : {&found.radius, &found.rail_y, &found.wheel_y, &found.plane}) *mean /= sum;
     const Eigen::Vector3d across = found.along_s();
     for_cells(patches, zones, zone, [&](const RailPatch& patch, double pressure, double x, double s, double) {
         const double force = pressure * patch.grid.dx * patch.grid.dy / sum;
@@ -217,6 +220,16 @@ inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact& contact, doub
     return matrix;
 }
 
+/// The creep matrix nearest to this one that dissipates under all creepages. A zone that a cut leaves of a patch may
+/// gain energy from its other zones.
+inline Eigen::Matrix3d dissipating(const Eigen::Matrix3d& matrix) {
+    constexpr double least = 1e-2;  // of the largest dissipation, as rows are interpolated
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect((matrix + matrix.transpose()) / 2);
+    const Eigen::Vector3d own = solver.eigenvalues(), raised = own.cwiseMax(least * own.maxCoeff());
+    return matrix + solver.eigenvectors() * (raised - own).asDiagonal() * solver.eigenvectors().transpose();
+}
+
 /// Rows of a zone from its pressures and creep matrices, without share and arm; `yaw` is the position's yaw, 0 or
 /// positive.
 inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones,
@@ -235,6 +248,7 @@ inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches
     v[length] = a / root;
     v[width] = b / root;
     v[angle] = pressed.angle;
+    v[plane] = pressed.plane - pressed.angle;
     v[radius] = pressed.radius;
     v[peak] = pressed.peak / root;
     v[rail_y] = pressed.rail_y;
@@ -249,8 +263,8 @@ inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches
     v[c22] = ellipse(1, 1);
     v[c23] = ellipse(1, 2);
     v[creepage_scale] = 1;
-    const Eigen::Matrix3d own = dimensionless(creep_matrix_of(patches, zones, zone, pressed, false)),
-                          other = dimensionless(creep_matrix_of(patches, zones, zone, pressed, true));
+    const Eigen::Matrix3d own = dissipating(dimensionless(creep_matrix_of(patches, zones, zone, pressed, false))),
+                          other = dissipating(dimensionless(creep_matrix_of(patches, zones, zone, pressed, true)));
     const Eigen::Matrix3d inverse = ellipse.inverse(), even = inverse * (own + other) / 2;
     if (!(even(0, 0) > 0 && even(1, 1) > 0)) return v;  // too few cells
     v[creepage_scale] = std::sqrt(even(0, 0) * even(1, 1));

@@ -11,7 +11,7 @@ namespace rollbem::detail {
 
 /// Creepages at which an ellipse has the forces of the patch that it stands for: the patch's creepages times E^-1 L
 /// while the contact sticks. In full sliding two factors remain: the scale, which does not turn the slip, and the share
-/// `full_sliding_share` of the rest. `of(row)` are numbers of the point, `bound` is mu N.
+/// `full_sliding_share` of the rest. Half-way the bend is added. `of(row)` are numbers of the point, `bound` is mu N.
 template <class Scalar, class Rows>
 std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,
                                         double shear_modulus, const Scalar& bound, const Rows& of) {
@@ -23,12 +23,15 @@ std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, c
     const Scalar turning = of(c11) * of(c22) * spin * spin, square = along * along + across * across + turning;
     const Scalar slip = sqrt(square + Scalar(1e-200)) * (shear_modulus * a * b);  // no division by 0 in its derivative
     const Scalar sticking = bound * CreepForceGrid::saturation_scale;
-    const Scalar sum = sticking + slip;
-    const Scalar reach =
-        sum > 0 ? Scalar(of(full_sliding_share) + (1 - of(full_sliding_share)) * sticking / sum) : Scalar(1);
+    const Scalar sum = sticking + slip, stick = sum > 0 ? Scalar(sticking / sum) : Scalar(1);
+    const Scalar reach = of(full_sliding_share) + (1 - of(full_sliding_share)) * stick,
+                 middle = 4 * stick * (1 - stick), half = middle * middle;
     const auto corrected = [&](const Scalar& own, Eigen::Index row) -> Scalar {
-        const Eigen::Index entry = correction + 3 * row;
-        return own + reach * (of(entry) * xi + of(entry + 1) * eta + of(entry + 2) * spin);
+        const auto by = [&](Eigen::Index matrix) -> Scalar {
+            const Eigen::Index entry = matrix + 3 * row;
+            return of(entry) * xi + of(entry + 1) * eta + of(entry + 2) * spin;
+        };
+        return own + reach * by(correction) + half * by(bend);
     };
     return {corrected(xi, 0), corrected(eta, 1), corrected(spin, 2) / c};
 }

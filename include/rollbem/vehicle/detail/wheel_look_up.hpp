@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -175,8 +177,8 @@ private:
         std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> share;
         std::array<ContactTable::Interpolation::LoadedRows, ContactTable::most_loads> rows;
         // rows and their derivatives at the present sum of loads
-        decltype(ContactTable::Interpolation::LoadedRows::value) value, by_sum;
-        decltype(ContactTable::Interpolation::LoadedRows::by_shift) by_shift, by_yaw;
+        Eigen::Array<double, ContactTable::Interpolation::sampled_rows, 1> value;
+        Eigen::Array<double, ContactTable::Interpolation::differentiated_rows, 1> by_sum, by_shift, by_yaw;
     };
 
     std::ptrdiff_t carry_count() const {
@@ -186,42 +188,42 @@ private:
     template <class Number>
     static void multiply_slopes(Zone& of, Eigen::Index row, double factor) {
         if constexpr (has_slopes<Number>) {
+            if (row >= ContactTable::Interpolation::differentiated_rows) return;
             for (double* slope : {&of.by_shift[row], &of.by_yaw[row], &of.by_sum[row]}) *slope *= factor;
         }
     }
-    /// The rows of a zone at a sum of loads. Odd parts are divided by the yaw.
+    /// The rows of a zone at a sum of loads. The arm along x is divided by the yaw.
     template <class Number>
     void interpolate(Zone& of, Eigen::Index zone, const LoadWeights& weights, double root) {
         using enum ContactRow::Of;
         const double yaw = input(WheelForces::yaw);
-        const auto times_yaw = [&](auto& values) {
-            values[arm_x] *= yaw;
-            values.template segment<9>(correction) += yaw * values.template segment<9>(correction_by_yaw);
-        };
         for (std::size_t l = weights.first; l < weights.last; ++l) {
             if (std::exchange(of.is_sampled[l], true)) continue;
             tangents_ ? nodes_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
                       : nodes_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
         }
-        const auto at_load = [&](const auto& weight, auto rows) {
-            auto sum = (weight[weights.first] * (of.rows[weights.first].*rows)).eval();
-            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * (of.rows[l].*rows);
+        using Nodes = ContactTable::Interpolation;
+        const auto at_load = [&]<int count>(const auto& weight, auto rows, std::integral_constant<int, count>) {
+            const auto at = [&](std::size_t l) { return weight[l] * (of.rows[l].*rows).template head<count>(); };
+            auto sum = at(weights.first).eval();
+            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += at(l);
             return sum;
         };
-        using Rows = ContactTable::Interpolation::LoadedRows;
-        of.value = at_load(weights.value, &Rows::value);
-        of.value.template head<ContactRow::rows>() += side_->interpolated_means;
+        constexpr std::integral_constant<int, Nodes::sampled_rows> sampled;
+        constexpr std::integral_constant<int, Nodes::differentiated_rows> differentiated;
+        const auto& means = side_->interpolated_means;
+        of.value = at_load(weights.value, &Nodes::LoadedRows::value, sampled);
+        of.value += means.template head<Nodes::sampled_rows>();
+        of.value.template segment<9>(correction) += yaw * means.template segment<9>(correction_by_yaw);
         if constexpr (has_slopes<Number>) {
-            of.by_sum = at_load(weights.rate, &Rows::value) / (3 * root * root);
-            of.by_shift = at_load(weights.value, &Rows::by_shift);
-            of.by_yaw = at_load(weights.value, &Rows::by_yaw);
-            times_yaw(of.by_sum);
-            times_yaw(of.by_shift);
-            times_yaw(of.by_yaw);
+            of.by_sum = at_load(weights.rate, &Nodes::LoadedRows::value, differentiated) / (3 * root * root);
+            of.by_shift = at_load(weights.value, &Nodes::LoadedRows::by_shift, differentiated);
+            of.by_yaw = at_load(weights.value, &Nodes::LoadedRows::by_yaw, differentiated);
+            of.by_yaw.template segment<9>(correction) += means.template segment<9>(correction_by_yaw);
+            multiply_slopes<Number>(of, arm_x, yaw);
             of.by_yaw[arm_x] += of.value[arm_x];
-            of.by_yaw.template segment<9>(correction) += of.value.template segment<9>(correction_by_yaw);
         }
-        times_yaw(of.value);
+        of.value[arm_x] *= yaw;
         constexpr auto& positive = ContactRow::positive;
         Eigen::Array<double, int(positive.size()), 1> powers;
         for (std::size_t k = 0; k < positive.size(); ++k) powers[Eigen::Index(k)] = of.value[positive[k]];
@@ -293,7 +295,8 @@ private:
     struct ZoneContact {
         double share = 0;             // share of the vertical load; 0: no contact
         std::array<Number, 3> force;  // force in the plane, and moment about its normal
-        Number normal, size, angle, sine, cosine, half_length, half_width;  // size: N^(1/3)
+        Number normal, size, angle, normal_sine, normal_cosine, half_length, half_width;  // size: N^(1/3)
+        Number friction_angle, sine, cosine;  // of the plane in which friction acts
         std::array<Number, 3> arm, creepage;
         Number rolling;                                    // V [m/s]
         Eigen::Matrix<double, 3, motion_count> by_motion;  // derivatives of the force by speeds and mu
@@ -317,11 +320,15 @@ private:
         ZoneContact<Number>& found = pass.contacts[zone];
         const auto row = [&](Eigen::Index which) { return number<Number>(of, which); };
         found.angle = row(angle);
-        const SineCosine<Number> inclined = turned(found.angle, sine_cosine(value_of(found.angle)));
-        found.sine = inclined.sine;
-        found.cosine = inclined.cosine;
+        found.friction_angle = found.angle + row(plane);
+        for (auto [of_angle, sine, cosine] : {std::tuple(&found.angle, &found.normal_sine, &found.normal_cosine),
+                                              {&found.friction_angle, &found.sine, &found.cosine}}) {
+            const SineCosine<Number> inclined = turned(*of_angle, sine_cosine(value_of(*of_angle)));
+            *sine = inclined.sine;
+            *cosine = inclined.cosine;
+        }
         found.arm = {row(arm_x), row(arm_y), row(arm_z)};
-        found.normal = load / found.cosine;
+        found.normal = load / found.normal_cosine;
         found.rolling = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
         found.size = constant<Number>(std::cbrt(value_of(found.normal)));
         if constexpr (has_slopes<Number>)
@@ -508,7 +515,7 @@ private:
     /// The sum of vertical normal loads by secants on values alone, first in single precision and, if no tangents
     /// follow, then in double precision; nothing if the secants do not converge at once.
     std::optional<double> secants(Pass<double>& pass) {
-        constexpr double settled = 1e-8, known = 1e-5;
+        constexpr double settled = 4e-9, known = 1e-5;
         const double load = input(WheelForces::load), missed = tangents_ ? 3e-8 : settled / 2;
         double sum = load, last = 0, before = -load, rate = 0;  // without normal loads nothing is carried
         is_rough_ = true;
@@ -587,6 +594,7 @@ private:
         point.ellipse = PatchContact(ellipse(value_of(of.half_length), value_of(of.half_width)));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
+        point.friction_angle = settled(of.friction_angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
         point.creepage = {along_ * settled(of.creepage[0]), settled(of.creepage[1]), along_ * settled(of.creepage[2])};
         point.force = {along_ * settled(of.force[0]), settled(of.force[1]), along_ * settled(of.force[2])};
@@ -607,8 +615,8 @@ private:
             const ZoneContact<Number>& of = pass.contacts[k];
             if (!(of.share > 0)) continue;
             const auto& [r_x, r_y, r_z] = of.arm;
-            const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
-                         f_z = of.force[1] * of.sine - of.normal * of.cosine;
+            const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.normal_sine,
+                         f_z = of.force[1] * of.sine - of.normal * of.normal_cosine;
             wrench[0] += f_x;
             wrench[1] += f_y;
             wrench[2] += f_z;
@@ -682,7 +690,7 @@ private:
     };
     Shift shift_;
     SineCosine<double> yawed_{0, 1};
-    ContactTable::Interpolation::Cell cell_{0, {0, 0, 1}, {}};
+    ContactTable::Interpolation::Cell cell_{0, 0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
     std::array<Zone, ContactTable::Zones::most> zones_;

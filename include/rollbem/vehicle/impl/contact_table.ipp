@@ -126,7 +126,7 @@ inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd
     }
 }
 
-/// Slopes by the shift of each row of each line; the slopes of row 0, the share, are limited where `limit` is set.
+/// Slopes by the shift of each row of each line; the slopes of the share are limited where `limit` is set.
 inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
     const auto shifts = Eigen::Index(grid.shifts.size());
     Eigen::ArrayXXd slopes(values.rows(), values.cols());
@@ -142,7 +142,10 @@ inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::Ar
         }
         const Eigen::ArrayXd before = difference(i - 1), after = difference(i);
         slopes.col(node) = slope_between(before, step(i - 1), after, step(i));
-        if (limit) slopes(0, node) = limited(slopes(0, node), before[0], after[0]);
+        if (limit) {
+            constexpr auto share = ContactRow::share;
+            slopes(share, node) = limited(slopes(share, node), before[share], after[share]);
+        }
     }
     return slopes;
 }
@@ -287,6 +290,13 @@ ROLLBEM_DECL void ContactTable::write(std::ostream& stream) const {
     }
     writer.number(material_.shear_modulus);
     writer.number(material_.poisson_ratio);
+    writer.integer(static_cast<std::uint32_t>(errors_.size()));
+    for (const Errors& of : errors_) {
+        for (const double value : {of.least_load, of.most_load, of.wheels}) writer.number(value);
+        for (std::size_t k = 0; k < 2; ++k) {
+            for (const double value : {of.mean[k], of.most_of_95[k], of.largest[k]}) writer.number(value);
+        }
+    }
     for (const Stored& side : sides_) {
         const Side& given = side.given;
         writer.integer(static_cast<std::uint32_t>(given.zones.cuts().size()));
@@ -314,11 +324,75 @@ ROLLBEM_DECL void ContactTable::write(std::ostream& stream) const {
     writer.finish();
 }
 
+namespace detail {
+
+/// Rows of a point in the order of a file's version.
+inline std::vector<Eigen::Index> rows_of_version(std::uint32_t version) {
+    using enum ContactRow::Of;
+    std::vector<Eigen::Index> found;
+    const auto add = [&](Eigen::Index first, Eigen::Index count) {
+        for (Eigen::Index k = 0; k < count; ++k) found.push_back(first + k);
+    };
+    if (version > 2) {
+        add(0, ContactRow::rows);
+    } else {
+        for (const auto& [first, count] :
+             {std::pair(share, 3), {arm_z, 2}, {radius, 8}, {correction, 9}, {correction_by_yaw, 9}, {peak, 3}}) {
+            add(first, count);
+        }
+    }
+    return found;
+}
+
+inline std::vector<ContactTable::Errors> read_errors(CheckedReader& reader) {
+    const auto count = reader.integer<std::uint32_t>();
+    require(count <= 100, "ContactTable", "number of errors", count, "be at most 100");
+    std::vector<ContactTable::Errors> errors(count);
+    for (ContactTable::Errors& of : errors) {
+        for (double* value : {&of.least_load, &of.most_load, &of.wheels}) *value = reader.number();
+        for (std::size_t k = 0; k < 2; ++k) {
+            for (double* value : {&of.mean[k], &of.most_of_95[k], &of.largest[k]}) *value = reader.number();
+        }
+    }
+    return errors;
+}
+
+inline ContactTable::Side read_side(CheckedReader& reader, const ContactTable::Grid& grid,
+                                    const std::vector<Eigen::Index>& rows) {
+    ContactTable::Side side;
+    const auto cut_count = reader.integer<std::uint32_t>();
+    require(cut_count < ContactTable::Zones::most, "ContactTable", "number of cuts", cut_count, "be at most 3");
+    std::vector<ContactTable::Zones::Cut> cuts(cut_count);
+    side.radius = reader.number();
+    for (ContactTable::Zones::Cut& cut : cuts) {
+        cut.y = reader.number();
+        cut.half_width = reader.number();
+    }
+    side.zones = ContactTable::Zones(std::move(cuts));
+    ContactRow::Values means = ContactRow::Values::Zero();
+    for (const Eigen::Index row : rows) means[row] = reader.number();
+    side.on_rails.resize(2, grid.nodes());
+    side.points.setZero(ContactRow::rows, grid.nodes() * side.zones.count());
+    for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
+        for (Eigen::Index row = 0; row < 2; ++row) side.on_rails(row, node) = reader.number();
+        const auto carrying = reader.integer<std::uint32_t>();
+        for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+            if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+            for (const Eigen::Index row : rows) {
+                side.points(row, zone * grid.nodes() + node) = means[row] + double(reader.single());
+            }
+        }
+    }
+    return side;
+}
+
+}  // namespace detail
+
 ROLLBEM_DECL ContactTable ContactTable::read(std::istream& stream) {
     detail::CheckedReader reader(stream, Interpolation::name, Interpolation::magic);
     const auto found = reader.integer<std::uint32_t>();
-    detail::require(found == Interpolation::version, Interpolation::name, "version", found,
-                    "be 2: make the table again with contact_table");
+    detail::require(found == 2 || found == Interpolation::version, Interpolation::name, "version", found,
+                    "be 2 or 3: make the table again with contact_table");
     std::array<std::size_t, 4> counts;
     for (auto [count, most] : {std::pair(&counts[0], 10001U),
                                {&counts[1], unsigned(most_yaws)},
@@ -334,35 +408,14 @@ ROLLBEM_DECL ContactTable ContactTable::read(std::istream& stream) {
     }
     detail::require(grid.nodes() <= 200000, Interpolation::name, "number of nodes", grid.nodes(), "be at most 200000");
     const double G = reader.number(), nu = reader.number();
-    std::vector<Side> sides(counts[3]);
-    for (Side& side : sides) {
-        const auto cut_count = reader.integer<std::uint32_t>();
-        detail::require(cut_count < ContactTable::Zones::most, Interpolation::name, "number of cuts", cut_count,
-                        "be at most 3");
-        std::vector<ContactTable::Zones::Cut> cuts(cut_count);
-        side.radius = reader.number();
-        for (ContactTable::Zones::Cut& cut : cuts) {
-            cut.y = reader.number();
-            cut.half_width = reader.number();
-        }
-        side.zones = ContactTable::Zones(std::move(cuts));
-        ContactRow::Values means;
-        for (double& mean : means) mean = reader.number();
-        side.on_rails.resize(2, grid.nodes());
-        side.points.setZero(ContactRow::rows, grid.nodes() * side.zones.count());
-        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-            for (Eigen::Index row = 0; row < 2; ++row) side.on_rails(row, node) = reader.number();
-            const auto carrying = reader.integer<std::uint32_t>();
-            for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
-                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
-                for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
-                    side.points(row, zone * grid.nodes() + node) = means[row] + double(reader.single());
-                }
-            }
-        }
+    std::vector<Errors> errors;
+    if (found > 2) errors = detail::read_errors(reader);
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < counts[3]; ++k) {
+        sides.push_back(detail::read_side(reader, grid, detail::rows_of_version(found)));
     }
     reader.finish();
-    return {std::move(grid), {G, nu}, std::move(sides)};
+    return ContactTable(std::move(grid), {G, nu}, std::move(sides)).with_errors(std::move(errors));
 }
 
 ROLLBEM_DECL ContactTable ContactTable::read(const std::filesystem::path& path) {

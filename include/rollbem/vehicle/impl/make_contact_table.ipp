@@ -33,16 +33,14 @@ ROLLBEM_DECL ContactTable::Grid contact_table_grid(double nominal_load, double l
 
 namespace rollbem::detail {
 
-/// Nodes of a side, in the order of ContactTable::Grid::node.
-using WheelNodes = std::vector<WheelNode>;
-
 /// Contacts of both wheels along one line of shifts.
 class ContactLine {
 public:
     ContactLine(const WheelsetOnTrack& track, const ContactTableMaker::Options& options)
         : track_(track), options_(options) {}
 
-    void solve(std::size_t line, std::array<WheelNodes, 2>& nodes) const {
+    template <class Nodes>
+    void solve(std::size_t line, Nodes& nodes) const {
         const ContactTable::Grid& grid = options_.grid;
         const std::size_t count = grid.shifts.size(), load = line / grid.yaws.size(), yaw = line % grid.yaws.size();
         const bool mirrored = track_.is_mirrored();
@@ -67,7 +65,7 @@ public:
                 const std::size_t place = right ? i : count - 1 - i;
                 if (!right && mirrored && place == i) continue;
                 auto& of = nodes[mirrored ? 0 : std::size_t(side)];
-                of[line * count + place] = node_of(contacts, side);
+                of[line * count + place].wheel = node_of(contacts, side);
             }
         }
     }
@@ -94,23 +92,24 @@ private:
     const ContactTableMaker::Options& options_;
 };
 
-/// Finds cuts between zones, one after the other. Each cut minimises the sum of two terms: the error of ellipses
-/// relative to friction on patches, and a price of the additional points.
+/// A node by which zones are found.
+struct JudgedNode {
+    const WheelNode* node;
+    const std::vector<NodeFriction>* motions;
+};
+
+/// Finds cuts between zones, one after the other. Each cut minimises the product of the error of ellipses relative to
+/// friction on patches, and of the time of a look-up.
 class ZoneFinder {
 public:
-    ZoneFinder(const std::vector<const WheelNode*>& nodes, const TrackDimensions& dimensions,
-               const CreepForceTable& creep, std::size_t jobs)
+    ZoneFinder(const std::vector<JudgedNode>& nodes, const TrackDimensions& dimensions, const CreepForceTable& creep,
+               std::size_t jobs)
         : dimensions_(dimensions), creep_(creep), jobs_(jobs) {
-        for (const WheelNode* node : nodes) {
-            if (!node->patches.empty()) judged_.emplace_back(node);
+        for (const auto& [node, motions] : nodes) {
+            if (node->patches.empty() || motions->empty()) continue;
+            Judged& one = judged_.emplace_back(Judged{node, motions, node->vertical(), {}});
+            for (const NodeFriction& motion : *motions) one.friction.push_back(motion.sum());
         }
-        parallel_for(judged_.size(), jobs_, [&](std::size_t i) {
-            Judged& one = judged_[i];
-            const auto motions = reference_motions(*one.node);
-            for (std::size_t k = 0; k < motions.size(); ++k) {
-                one.friction[k] = forces_of_patches(*one.node, motions[k], dimensions_, mu);
-            }
-        });
     }
 
     ContactTable::Zones find() const {
@@ -121,50 +120,46 @@ public:
             std::vector<double> costs(others.size());
             parallel_for(others.size(), jobs_, [&](std::size_t i) { costs[i] = cost(others[i]); });
             const auto lowest = std::min_element(costs.begin(), costs.end());
-            constexpr double gain = 2e-4;
-            if (lowest == costs.end() || !(*lowest < least - gain)) break;
+            if (lowest == costs.end() || !(*lowest < least)) break;
             least = *lowest;
             best = others[std::size_t(lowest - costs.begin())];
         }
         return best;
     }
 
-    /// The mean of errors over mu Q, which gives the largest errors most weight, plus the price.
+    /// The mean of errors over mu Q, which gives the largest errors most weight, and what a table has besides, times the
+    /// time of a look-up in units of a further point's.
     double cost(const ContactTable::Zones& zones) const {
-        constexpr double price = 0.005;
+        constexpr double other_errors = 2e-3, time_without_points = 0.5;
         double sum = 0;
         std::size_t points = 0, count = 0;
         for (const Judged& one : judged_) {
-            const auto rows = zone_rows(*one.node, zones, dimensions_, creep_);
-            for (const auto& v : rows) points += v[ContactRow::share] > 0;
-            const auto motions = reference_motions(*one.node);
-            for (std::size_t k = 0; k < motions.size(); ++k) {
-                if (!one.friction[k].isFinite().all()) continue;
+            const auto found = zone_rows(*one.node, zones, dimensions_, creep_);
+            for (const auto& v : found) points += v[ContactRow::share] > 0;
+            for (std::size_t k = 0; k < one.friction.size(); ++k) {
                 const RollingForces own =
-                    forces_of_zones(rows, *one.node, one.vertical, motions[k], dimensions_, creep_, mu);
-                const double error = (own - one.friction[k]).abs().maxCoeff() / (mu * one.vertical);
+                    forces_of_zones(found, *one.node, one.vertical, (*one.motions)[k], dimensions_, creep_);
+                const double error =
+                    (own - one.friction[k]).abs().maxCoeff() / (node_friction_coefficient * one.vertical);
                 sum += std::pow(error, 4);
                 ++count;
             }
         }
         if (count == 0) return 0;
-        return std::pow(sum / double(count), 0.25) + price * (double(points) / double(judged_.size()) - 1);
+        return (std::pow(sum / double(count), 0.25) + other_errors) *
+               (double(points) / double(judged_.size()) + time_without_points);
     }
 
 private:
-    static constexpr double mu = 0.3;
     struct Judged {
-        explicit Judged(const WheelNode* of) : node(of), vertical(of->vertical()) {
-            friction.fill(RollingForces::Zero());
-        }
-
         const WheelNode* node;
+        const std::vector<NodeFriction>* motions;
         double vertical;
-        std::array<RollingForces, 3> friction;
+        std::vector<RollingForces> friction;
     };
 
     std::vector<ContactTable::Zones> candidates(const ContactTable::Zones& from) const {
-        constexpr double step = 2e-3;
+        constexpr double step = 1e-3;
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const Judged& one : judged_) {
             for (const PatchCreepMatrices& of : one.node->patches) {
@@ -206,8 +201,7 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
             const auto node = [&](std::size_t k) { return grid.node(l, k, std::size_t(i)); };
             if (!(points(share, node(0)) > 0)) continue;
             for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
-                const Eigen::Index entry = row - correction_by_yaw;
-                if (row != arm_x && (entry < 0 || entry >= 9)) continue;
+                if (row != arm_x && row < correction_by_yaw) continue;
                 std::vector<std::size_t> with;
                 for (std::size_t k = 1; k < yaws && with.size() < 2; ++k) {
                     if (points(share, node(k)) > 0) with.push_back(k);
@@ -285,7 +279,12 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactT
 namespace rollbem {
 
 struct ContactTableMaker::Nodes {
-    std::array<detail::WheelNodes, 2> of;
+    struct Node {
+        detail::WheelNode wheel;
+        std::vector<detail::NodeFriction> friction;  ///< where zones are judged or ellipses fitted
+        std::vector<ContactRow::Values> zones;       ///< their rows
+    };
+    std::array<std::vector<Node>, 2> of;
 };
 
 ROLLBEM_DECL ContactTableMaker::ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep,
@@ -314,22 +313,90 @@ ROLLBEM_DECL auto ContactTableMaker::judged_lines() const -> std::vector<std::si
 }
 
 ROLLBEM_DECL void ContactTableMaker::solve(std::vector<std::size_t> lines) {
-    for (const std::size_t line : judged_lines()) lines.push_back(line);
-    std::sort(lines.begin(), lines.end());
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    std::erase_if(lines, [&](std::size_t line) { return is_solved_[line]; });
+    const std::vector<std::size_t> judged = judged_lines();
+    std::vector<std::size_t> contacts = lines;
+    contacts.insert(contacts.end(), judged.begin(), judged.end());
+    std::sort(contacts.begin(), contacts.end());
+    contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+    std::erase_if(contacts, [&](std::size_t line) { return is_solved_[line]; });
     const detail::ContactLine line(track_, options_);
     detail::parallel_for(
-        lines.size(), options_.jobs, [&](std::size_t k) { line.solve(lines[k], nodes_.made().of); }, options_.done);
-    for (const std::size_t solved : lines) is_solved_[solved] = true;
-    for (std::size_t side = 0; side < side_count(); ++side) zones_[side] = zones_of(side);
+        contacts.size(), options_.jobs, [&](std::size_t k) { line.solve(contacts[k], nodes_.made().of); },
+        options_.done);
+    for (const std::size_t solved : contacts) is_solved_[solved] = true;
+    for (std::size_t side = 0; side < side_count(); ++side) {
+        zones_[side] = zones_of(side);
+        detail::parallel_for(
+            lines.size(), options_.jobs, [&](std::size_t k) { fill_line(side, lines[k]); }, options_.done);
+    }
+}
+
+ROLLBEM_DECL void ContactTableMaker::solve_friction(std::size_t side, std::size_t place) {
+    Nodes::Node& node = nodes_.made().of[side][place];
+    if (node.friction.empty()) node.friction = detail::friction_of(node.wheel, dimensions(side));
+}
+
+ROLLBEM_DECL void ContactTableMaker::fill_line(std::size_t side, std::size_t line) {
+    auto& nodes = nodes_.made().of[side];
+    const std::size_t shifts = options_.grid.shifts.size();
+    for (std::size_t place = line * shifts; place < (line + 1) * shifts; ++place) {
+        const detail::WheelNode& wheel = nodes[place].wheel;
+        if (!wheel.patches.empty())
+            nodes[place].zones = detail::zone_rows(wheel, zones_[side], dimensions(side), creep_);
+    }
+    if (!options_.fits_friction) return;
+    const std::vector<std::size_t> fitted = fitted_places(side, line);
+    for (std::size_t k = 0; k < fitted.size(); ++k) {
+        solve_friction(side, fitted[k]);
+        Nodes::Node& node = nodes[fitted[k]];
+        detail::fit_bends(node.zones, zones_[side], node.wheel, node.friction, dimensions(side), creep_);
+        if (k > 0) interpolate_bends(side, fitted[k - 1], fitted[k]);
+    }
+}
+
+ROLLBEM_DECL std::vector<std::size_t> ContactTableMaker::fitted_places(std::size_t side, std::size_t line) const {
+    constexpr double wide = 0.4e-3, narrow = 0.1e-3;  // [m]
+    const auto& nodes = nodes_.get().of[side];
+    const std::vector<double>& shifts = options_.grid.shifts;
+    std::vector<std::size_t> found;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < shifts.size(); ++i) {
+        const std::size_t place = line * shifts.size() + i;
+        const auto carries = [&](std::size_t at) { return !nodes[at].zones.empty(); };
+        if (!carries(place)) continue;
+        const bool is_steep = std::any_of(nodes[place].zones.begin(), nodes[place].zones.end(), [](const auto& v) {
+            constexpr double steep = 0.12;  // [rad]
+            return v[ContactRow::share] > 0 && std::abs(v[ContactRow::angle] + v[ContactRow::plane]) > steep;
+        });
+        const bool ends = i + 1 == shifts.size() || !carries(place + 1) || found.empty() || !carries(place - 1);
+        if (!ends && shifts[i] - shifts[last] < (is_steep ? narrow : wide) * (1 - 1e-9)) continue;
+        last = i;
+        found.push_back(place);
+    }
+    return found;
+}
+
+ROLLBEM_DECL void ContactTableMaker::interpolate_bends(std::size_t side, std::size_t low, std::size_t high) {
+    auto& nodes = nodes_.made().of[side];
+    const std::vector<double>& shifts = options_.grid.shifts;
+    const auto bend = [](ContactRow::Values& of) { return of.segment<9>(ContactRow::bend); };
+    for (std::size_t place = low + 1; place < high; ++place) {
+        const auto shift = [&](std::size_t at) { return shifts[at % shifts.size()]; };
+        const double part = (shift(place) - shift(low)) / (shift(high) - shift(low));
+        for (std::size_t zone = 0; zone < nodes[place].zones.size(); ++zone) {
+            ContactRow::Values &before = nodes[low].zones[zone], &after = nodes[high].zones[zone];
+            // where a zone begins to carry, the end that carries
+            const double weight = !(before[ContactRow::share] > 0) ? 1 : !(after[ContactRow::share] > 0) ? 0 : part;
+            bend(nodes[place].zones[zone]) = (1 - weight) * bend(before) + weight * bend(after);
+        }
+    }
 }
 
 ROLLBEM_DECL auto ContactTableMaker::node(std::size_t side, std::size_t line, std::size_t shift) const
     -> ContactTableMaker::Node {
-    const detail::WheelNode& own = nodes_.get().of[side][line * options_.grid.shifts.size() + shift];
-    if (own.patches.empty()) return {};
-    return {true, own.support, own.at.roll, detail::zone_rows(own, zones_[side], dimensions(side), creep_)};
+    const Nodes::Node& own = nodes_.get().of[side][line * options_.grid.shifts.size() + shift];
+    if (own.wheel.patches.empty()) return {};
+    return {true, own.wheel.support, own.wheel.at.roll, own.zones};
 }
 
 ROLLBEM_DECL auto ContactTableMaker::table(const std::vector<ContactTableMaker::Side>& sides) const
@@ -371,19 +438,38 @@ ROLLBEM_DECL auto ContactTableMaker::material() const -> ContactTable::Material 
     return {right.shear_modulus, right.poisson_ratio};
 }
 
-ROLLBEM_DECL auto ContactTableMaker::zones_of(std::size_t side) const -> ContactTable::Zones {
-    if (given_zones(side)) return *given_zones(side);
-    const std::size_t shifts = options_.grid.shifts.size();
+ROLLBEM_DECL std::vector<std::size_t> ContactTableMaker::judged_places(std::size_t side) const {
+    constexpr double step = 0.2e-3;  // [m]
+    std::vector<std::size_t> found;
+    if (given_zones(side)) return found;
+    const std::vector<double>& shifts = options_.grid.shifts;
+    const auto& nodes = nodes_.get().of[side];
     ContactTableMaker::Side known;
     for (const std::size_t line : judged_lines()) {
-        for (std::size_t i = 0; i < shifts; ++i) {
-            known.nodes.push_back({.known = !nodes_.get().of[side][line * shifts + i].patches.empty()});
+        for (std::size_t i = 0; i < shifts.size(); ++i) {
+            known.nodes.push_back({.known = !nodes[line * shifts.size() + i].wheel.patches.empty()});
         }
     }
-    std::vector<const detail::WheelNode*> judged;
     const std::size_t out = detail::left_out(options_.grid, {known});
     for (const std::size_t line : judged_lines()) {
-        for (std::size_t i = out; i + out < shifts; i += 2) judged.push_back(&nodes_.get().of[side][line * shifts + i]);
+        std::size_t last = out;
+        for (std::size_t i = out; i + out < shifts.size(); ++i) {
+            if (i > out && shifts[i] - shifts[last] < step * (1 - 1e-9)) continue;
+            last = i;
+            found.push_back(line * shifts.size() + i);
+        }
+    }
+    return found;
+}
+
+ROLLBEM_DECL auto ContactTableMaker::zones_of(std::size_t side) -> ContactTable::Zones {
+    if (given_zones(side)) return *given_zones(side);
+    const std::vector<std::size_t> places = judged_places(side);
+    detail::parallel_for(places.size(), options_.jobs, [&](std::size_t k) { solve_friction(side, places[k]); });
+    std::vector<detail::JudgedNode> judged;
+    for (const std::size_t place : places) {
+        const Nodes::Node& node = nodes_.get().of[side][place];
+        judged.push_back({&node.wheel, &node.friction});
     }
     return detail::ZoneFinder(judged, dimensions(side), creep_, options_.jobs).find();
 }
@@ -399,9 +485,7 @@ ROLLBEM_DECL ContactTableMaker::Result make_contact_table(const WheelsetOnTrack&
     for (std::size_t k = 0; k < maker.side_count(); ++k) {
         ContactTableMaker::Side& side = sides.emplace_back(ContactTableMaker::Side{maker.zones(k), {}});
         side.nodes.resize(lines.size() * shifts);
-        detail::parallel_for(lines.size(), options.jobs, [&](std::size_t line) {
-            for (std::size_t i = 0; i < shifts; ++i) side.nodes[line * shifts + i] = maker.node(k, line, i);
-        });
+        for (std::size_t i = 0; i < side.nodes.size(); ++i) side.nodes[i] = maker.node(k, i / shifts, i % shifts);
     }
     return maker.table(sides);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "../../assembly/patch_system.hpp"
@@ -206,24 +207,37 @@ struct MeshFriction {
     std::vector<double> peaks{};  ///< largest temperature of each patch [K]; empty: not known
 };
 
+/// The system of a mesh, and the pressures on its elements.
+struct AssembledMesh {
+    PatchMeshes meshes;
+    ElementSystem<double, 2> system;
+    Eigen::ArrayXd pressures;
+};
+
+inline AssembledMesh assembled(PatchMeshes meshes, const PatchContact& contact,
+                               const std::vector<const RailPatch*>& patches, const RollingFriction& friction) {
+    auto system = steady_system(
+        meshes.joined(), NodeDifference{Nodes::chebyshev},
+        HalfSpace<double>(contact.poisson_ratio(), friction.layer * contact.shear_modulus() / meshes.unit));
+    Eigen::ArrayXd pressures(system.size());
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        pressures.segment(meshes.first(k), meshes.size(k)) =
+            pressures_on(meshes.patches[k].rectangles(meshes.unit), *patches[k]);
+    }
+    return {std::move(meshes), std::move(system), std::move(pressures)};
+}
+
 /// Solves friction on a mesh for given coefficients of its elements.
 class MeshSolver {
 public:
-    MeshSolver(const PatchMeshes& meshes, const PatchContact& contact, const RollingPatches& rolling,
+    MeshSolver(const AssembledMesh& mesh, const PatchContact& contact, const RollingPatches& rolling,
                const RollingFriction& friction)
-        : meshes_(meshes),
+        : meshes_(mesh.meshes),
           contact_(contact),
           rolling_(rolling),
           friction_(friction),
-          system_(steady_system(
-              meshes.joined(), NodeDifference{Nodes::chebyshev},
-              HalfSpace<double>(contact.poisson_ratio(), friction.layer * contact.shear_modulus() / meshes.unit))),
-          pressures_(system_.size()) {
-        for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
-            pressures_.segment(meshes.first(k), meshes.size(k)) =
-                pressures_on(meshes.patches[k].rectangles(meshes.unit), *rolling.patches[k]);
-        }
-    }
+          system_(mesh.system),
+          pressures_(mesh.pressures) {}
 
     /// Alternates friction and temperature, which depend on each other, in relaxed steps.
     MeshFriction solve() const {
@@ -303,13 +317,14 @@ private:
     const PatchContact& contact_;
     const RollingPatches& rolling_;
     const RollingFriction& friction_;
-    ElementSystem<double, 2> system_;
-    Eigen::ArrayXd pressures_;
+    const ElementSystem<double, 2>& system_;
+    const Eigen::ArrayXd& pressures_;
 };
 
-inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const PatchContact& contact,
+inline std::vector<PatchForce> friction_on(const AssembledMesh& assembled_mesh, const PatchContact& contact,
                                            const RollingPatches& rolling, const RollingFriction& friction) {
-    const MeshSolver solver(meshes, contact, rolling, friction);
+    const PatchMeshes& meshes = assembled_mesh.meshes;
+    const MeshSolver solver(assembled_mesh, contact, rolling, friction);
     const MeshFriction solved = solver.solve();
     std::vector<PatchForce> found;
     for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
@@ -335,41 +350,67 @@ inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const Patc
     return found;
 }
 
-/// Friction on the patches of one plane, which may also roll backwards or stand still.
-inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                            const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
-                                            const RollingFriction& friction) {
-    const double rolls = rolling_velocity_of(patches[0], speeds);
-    if (rolls < 0) {
-        constexpr Mirror mirror = Mirror::reversing_x();
-        std::vector<RailPatch> images;
-        for (const RailPatch& patch : patches) images.push_back(mirrored(patch, mirror));
-        std::vector<PatchForce> found =
-            plane_forces(images, mirrored(at, mirror), mirrored(speeds, mirror), dimensions, friction);
-        for (PatchForce& patch : found) patch = mirrored(std::move(patch), mirror);
+/// Friction on the patches of one plane under several motions, which may also roll backwards or stand still.
+class PlaneFriction {
+public:
+    PlaneFriction(std::vector<RailPatch> patches, const WheelsetPosition& at, const TrackDimensions& dimensions,
+                  const RollingFriction& friction)
+        : patches_(std::move(patches)),
+          at_(at),
+          dimensions_(dimensions),
+          friction_(friction),
+          contact_(contact_of(patches_[0], dimensions)) {
+        for (const RailPatch& patch : patches_) {
+            PatchElements& own = elements_.emplace_back(elements_for(patch));
+            if (friction.elements > 0) own.along = friction.elements;
+            if (friction.strips > 0) own.strips = friction.strips;
+        }
+    }
+
+    std::vector<PatchForce> forces(const WheelsetSpeeds& speeds) {
+        const double rolls = rolling_velocity_of(patches_[0], speeds);
+        if (rolls < 0) {
+            constexpr Mirror mirror = Mirror::reversing_x();
+            std::vector<RailPatch> images;
+            for (const RailPatch& patch : patches_) images.push_back(mirrored(patch, mirror));
+            std::vector<PatchForce> found =
+                PlaneFriction(std::move(images), mirrored(at_, mirror), dimensions_, friction_)
+                    .forces(mirrored(speeds, mirror));
+            for (PatchForce& patch : found) patch = mirrored(std::move(patch), mirror);
+            return found;
+        }
+        RollingPatches rolling{{}, at_, speeds, dimensions_};
+        for (const RailPatch& patch : patches_) rolling.patches.push_back(&patch);
+        const bool known = rolls >= (std::numeric_limits<double>::min)() && is_finite(rolling.creepage(0));
+        if (is_finite(speeds) && !known) {
+            return std::vector<PatchForce>(patches_.size(),
+                                           {.force = {0, 0, 0}, .slip_work = 0, .status = Status::invalid_step});
+        }
+        std::vector<PatchForce> found;
+        with_fewer_strips(elements_, [&](const std::vector<PatchElements>& fewer) {
+            const Eigen::Index strips = std::accumulate(fewer.begin(), fewer.end(), Eigen::Index(0),
+                                                        [](auto sum, const auto& of) { return sum + of.strips; });
+            if (!mesh_ || strips_ != strips) {
+                mesh_ = assembled(friction_meshes(rolling.patches, fewer, contact_.half_length()), contact_,
+                                  rolling.patches, friction_);
+                strips_ = strips;
+            }
+            found = friction_on(*mesh_, contact_, rolling, friction_);
+            return found[0].status != Status::assists_creepage;
+        });
         return found;
     }
-    RollingPatches rolling{{}, at, speeds, dimensions};
-    std::vector<PatchElements> elements;
-    for (const RailPatch& patch : patches) {
-        rolling.patches.push_back(&patch);
-        PatchElements& own = elements.emplace_back(elements_for(patch));
-        if (friction.elements > 0) own.along = friction.elements;
-        if (friction.strips > 0) own.strips = friction.strips;
-    }
-    const bool known = rolls >= (std::numeric_limits<double>::min)() && is_finite(rolling.creepage(0));
-    if (is_finite(speeds) && !known) {
-        return std::vector<PatchForce>(patches.size(),
-                                       {.force = {0, 0, 0}, .slip_work = 0, .status = Status::invalid_step});
-    }
-    const PatchContact contact = contact_of(patches[0], dimensions);
-    std::vector<PatchForce> found;
-    with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
-        found = friction_on(friction_meshes(rolling.patches, fewer, contact.half_length()), contact, rolling, friction);
-        return found[0].status != Status::assists_creepage;
-    });
-    return found;
-}
+
+private:
+    const std::vector<RailPatch> patches_;
+    const WheelsetPosition at_;
+    const TrackDimensions& dimensions_;
+    const RollingFriction& friction_;
+    PatchContact contact_;
+    std::vector<PatchElements> elements_;
+    std::optional<AssembledMesh> mesh_;  // of the last motion
+    Eigen::Index strips_ = 0;            // of all its patches
+};
 
 /// Throws std::invalid_argument naming a parameter that cannot be meant.
 inline void require_valid(const RollingFriction& friction) {
@@ -393,18 +434,29 @@ inline void require_valid(const RollingFriction& friction) {
 
 namespace rollbem {
 
-ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                                  const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
-                                                  const RollingFriction& friction) {
+ROLLBEM_DECL std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches,
+                                                               const WheelsetPosition& at,
+                                                               const std::vector<WheelsetSpeeds>& motions,
+                                                               const TrackDimensions& dimensions,
+                                                               const RollingFriction& friction) {
     detail::require_valid(friction);
-    std::vector<PatchForce> found(patches.size());
+    std::vector<std::vector<PatchForce>> found(motions.size(), std::vector<PatchForce>(patches.size()));
     for (const std::vector<std::size_t>& plane : patches_by_plane(patches)) {
         std::vector<RailPatch> coplanar;
         for (const std::size_t k : plane) coplanar.push_back(patches[k]);
-        std::vector<PatchForce> own = detail::plane_forces(coplanar, at, speeds, dimensions, friction);
-        for (std::size_t i = 0; i < plane.size(); ++i) found[plane[i]] = std::move(own[i]);
+        detail::PlaneFriction solver(std::move(coplanar), at, dimensions, friction);
+        for (std::size_t m = 0; m < motions.size(); ++m) {
+            std::vector<PatchForce> own = solver.forces(motions[m]);
+            for (std::size_t i = 0; i < plane.size(); ++i) found[m][plane[i]] = std::move(own[i]);
+        }
     }
     return found;
+}
+
+ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                                  const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                                  const RollingFriction& friction) {
+    return patch_forces(patches, at, std::vector{speeds}, dimensions, friction)[0];
 }
 
 ROLLBEM_DECL WheelsetForces::Wrench pressure_wrench_of(const RailPatch& patch, double y, double z) {
