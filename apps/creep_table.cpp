@@ -16,8 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>

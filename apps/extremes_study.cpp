@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "extremes/cases.hpp"
-#include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 

@@ -13,12 +13,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
@@ -27,7 +25,6 @@
 #include <rollbem/steady/steady.hpp>
 
 #include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"

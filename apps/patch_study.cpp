@@ -16,15 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/steady/steady.hpp>

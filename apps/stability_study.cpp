@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "studies/critical_alpha.hpp"

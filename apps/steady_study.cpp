@@ -4,7 +4,6 @@
 //     ./steady_study --n 20,40,80 --alpha-T 0.63
 //     ./steady_study --mesh cosine --alpha 0.5 --aspect inf --output cosine.csv --plot cosine.svg
 //     ./steady_study --method chebyshev --n 4,8,16 --aspect 1
-#include <cmath>
 #include <complex>
 #include <optional>
 #include <string>

@@ -13,10 +13,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
 

@@ -14,15 +14,11 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/runs.hpp"

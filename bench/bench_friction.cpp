@@ -15,7 +15,6 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/steady/steady.hpp>
 
 #include "studies/stick_border.hpp"

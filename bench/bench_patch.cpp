@@ -27,7 +27,6 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>

@@ -8,7 +8,6 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
@@ -18,7 +17,6 @@
 
 #include "naive.hpp"
 #include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 
 namespace {
 

@@ -8,19 +8,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
-
-#include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 
 namespace {
 

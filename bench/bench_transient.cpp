@@ -5,14 +5,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 namespace {
 

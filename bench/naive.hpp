@@ -5,11 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 namespace naive {
 

@@ -15,16 +15,13 @@
 #include <Eigen/Core>
 #include <rollbem.h>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_file.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "contact.hpp"

@@ -20,9 +20,6 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>

@@ -15,8 +15,6 @@
 
 #include <Eigen/QR>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
@@ -24,7 +22,6 @@
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 // Simbody's headers are C++17. For C++20 its indices need an operator== that is better than theirs with the operands
 // swapped, and a header without use here, which has vectors of incomplete types, must be left out.

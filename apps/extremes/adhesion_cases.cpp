@@ -9,7 +9,6 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/transient.hpp>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <complex>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -15,7 +14,6 @@
 #include <rollbem/closed_form/detail/estimated_c11.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 
 namespace extremes {

@@ -2,7 +2,6 @@
 // falling friction, loads that vary.
 #include <string>
 
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
@@ -12,7 +11,6 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
 

@@ -3,11 +3,7 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/steady/steady.hpp>

@@ -14,10 +14,7 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "cases.hpp"
 #include "drawn.hpp"

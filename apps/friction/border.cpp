@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "steady.hpp"
-#include "studies/monomial.hpp"
 #include "studies/stick_border.hpp"
 #include "support/timing.hpp"
 

@@ -1,6 +1,5 @@
 // Creep curves by elements, in one direction and in both.
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>

@@ -9,14 +9,8 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/law.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/friction_laws.hpp"
 #include "support/runs.hpp"

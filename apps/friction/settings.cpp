@@ -1,8 +1,6 @@
 // The options of friction_study, and the scenes they ask for.
 #include <algorithm>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/normal/pressure.hpp>

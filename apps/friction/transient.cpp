@@ -3,8 +3,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
 

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/status.hpp>
 #include <rollbem/system/response.hpp>
 

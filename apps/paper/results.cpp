@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
@@ -22,7 +20,6 @@
 
 #include "figures.hpp"
 #include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 
 namespace paper {
 

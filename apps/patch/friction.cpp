@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -7,14 +5,8 @@
 
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "friction/rolling.hpp"
 #include "patch.hpp"

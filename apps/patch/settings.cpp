@@ -9,8 +9,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/pressure.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>

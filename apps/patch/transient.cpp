@@ -1,20 +1,12 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "friction/rolling.hpp"
 #include "patch.hpp"

@@ -1,7 +1,6 @@
 // The comparisons of precision_study: schemes at several n, by quantities of a line or of patches.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <functional>
 #include <limits>

@@ -6,8 +6,6 @@
 #include <span>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/patch_system.hpp>
@@ -18,7 +16,6 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>

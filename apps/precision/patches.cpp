@@ -6,19 +6,15 @@
 #include <optional>
 #include <span>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/steady/creep_coefficients.hpp>
 #include <rollbem/steady/steady.hpp>

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>

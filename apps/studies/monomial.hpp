@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/spectral/polynomial.hpp>

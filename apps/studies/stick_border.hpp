@@ -18,7 +18,6 @@
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 #include <rollbem/types.hpp>

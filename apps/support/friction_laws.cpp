@@ -1,7 +1,5 @@
 #include "friction_laws.hpp"
 
-#include <utility>
-
 #include "input.hpp"
 
 namespace study {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "csv.hpp"
-#include "input.hpp"
 #include "options.hpp"
 
 namespace study {

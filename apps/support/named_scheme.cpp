@@ -1,7 +1,6 @@
 #include "named_scheme.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "csv.hpp"
 #include "input.hpp"

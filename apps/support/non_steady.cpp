@@ -4,10 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/detail/plane_lambda.hpp>
 #include <rollbem/discretisation/scheme.hpp>

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 

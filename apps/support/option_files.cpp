@@ -1,7 +1,6 @@
 // The files that options name: inputs and what is written.
 #include <filesystem>
 
-#include "input.hpp"
 #include "options.hpp"
 #include "output.hpp"
 

@@ -16,7 +16,6 @@
 #include "csv.hpp"
 #include "named_scheme.hpp"
 #include "options.hpp"
-#include "plot.hpp"
 
 namespace study {
 

@@ -1,13 +1,10 @@
 #include "state_space_files.hpp"
 
-#include <stdexcept>
 #include <string>
 
 #include <Eigen/Core>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 
 #include "csv.hpp"
 #include "progress.hpp"

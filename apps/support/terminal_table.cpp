@@ -1,7 +1,6 @@
 #include "terminal_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace study {

@@ -9,13 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 
-#include "studies/monomial.hpp"
 #include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/detail/decay_proof.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>

@@ -6,7 +6,6 @@
 
 #include <Eigen/QR>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 

@@ -3,7 +3,6 @@
 #include <complex>
 #include <optional>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 

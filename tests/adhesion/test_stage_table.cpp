@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/friction/detail/rolling_friction.hpp>

@@ -15,7 +15,6 @@
 #include <rollbem/friction/detail/stick_slip.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/patch.hpp>
-#include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"

@@ -1,7 +1,6 @@
 // rollbem/adhesion/transient.hpp: a contact whose length changes from step to step ("breathes")
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>

@@ -10,7 +10,6 @@
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
 
 #include "support/brute_force.hpp"

@@ -7,7 +7,6 @@
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 

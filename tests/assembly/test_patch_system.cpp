@@ -8,7 +8,6 @@
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/elasticity/patch_kernel.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/moved_mesh.hpp"

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include <rollbem/discretisation/mesh.hpp>
 

@@ -9,12 +9,10 @@
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-#include <rollbem/steady/steady.hpp>
 #include <rollbem/system/detail/centre_values.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
-#include "support/observed_order.hpp"
 
 namespace friction_tests {
 namespace {

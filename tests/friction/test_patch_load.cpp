@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/patch.hpp>

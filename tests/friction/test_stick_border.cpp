@@ -9,7 +9,6 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 
 #include "scene.hpp"
 #include "studies/stick_border.hpp"

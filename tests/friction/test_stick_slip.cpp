@@ -10,13 +10,7 @@
 
 #include <Eigen/Geometry>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/friction/detail/stick_slip.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/steady/steady.hpp>
 
 #include "extremes/drawn.hpp"

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/friction/detail/slip_rotation.hpp>

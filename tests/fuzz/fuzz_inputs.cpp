@@ -18,7 +18,6 @@
 #include <rollbem/normal/hertz.hpp>
 
 #include "friction/steady.hpp"
-#include "support/csv.hpp"
 #include "support/input.hpp"
 #include "support/options.hpp"
 #include "support/runs.hpp"

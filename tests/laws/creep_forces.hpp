@@ -1,10 +1,8 @@
 // Force elements of tests/laws: creep forces by look-up, FASTSIM and FaStrip.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <rollbem/vehicle.hpp>
 

@@ -2,8 +2,6 @@
 // worn and moved ones.
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 

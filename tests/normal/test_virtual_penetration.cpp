@@ -1,13 +1,10 @@
 // rollbem/normal/virtual_penetration.hpp
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <vector>
 
-#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>

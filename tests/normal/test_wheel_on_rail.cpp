@@ -12,16 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/load.hpp>
-#include <rollbem/normal/pressure.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/steady/steady.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 #include <rollbem/vehicle/detail/wheelset_velocity.hpp>

@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include <rollbem/friction/law.hpp>
-#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 #include "drawn_scenes.hpp"

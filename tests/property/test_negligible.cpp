@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/patch.hpp>

@@ -7,7 +7,6 @@
 #include <tuple>
 #include <vector>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/reference/bessel.hpp>
@@ -16,7 +15,6 @@
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 #include "support/observed_order.hpp"
-#include "support/scalars.hpp"
 #include "support/strip_instances.hpp"
 
 namespace chebyshev_tests {

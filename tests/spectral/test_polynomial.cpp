@@ -12,7 +12,6 @@
 #include <rollbem/reference/bessel.hpp>
 
 #include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 #include "support/catch.hpp"
 
 namespace polynomial_tests {

@@ -2,7 +2,6 @@
 // tables for tests.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>

@@ -1,11 +1,8 @@
 // rollbem/vehicle/wheelset_on_track.hpp, normal/wheel_on_rail.hpp
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include <rollbem/normal/profile.hpp>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/normal/profile.hpp>

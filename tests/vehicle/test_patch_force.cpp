@@ -1,6 +1,5 @@
 // rollbem/scene/wheelset.hpp, vehicle/detail/patch_elements.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>

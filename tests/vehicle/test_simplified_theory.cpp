@@ -1,5 +1,4 @@
 // rollbem/vehicle/simplified_theory.hpp
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -2,11 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/elasticity/patch_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/patch_contact.hpp>
-#include <rollbem/steady/creep_coefficients.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

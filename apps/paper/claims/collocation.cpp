@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>

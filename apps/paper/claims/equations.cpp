@@ -4,12 +4,9 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>

@@ -11,7 +11,6 @@
 
 #include "paper/claims.hpp"
 #include "studies/monomial.hpp"
-#include "studies/stick_border.hpp"
 
 namespace paper {
 

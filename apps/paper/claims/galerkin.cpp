@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
 
 #include "paper/claims.hpp"

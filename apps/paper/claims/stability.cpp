@@ -1,9 +1,7 @@
 // Section 6.1, dynamic stability: Figs. 18 to 21.
 #include <limits>
 
-#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
 
 #include "paper/claims.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <cstddef>
 #include <vector>
 
 #include "../discretisation/mesh.hpp"

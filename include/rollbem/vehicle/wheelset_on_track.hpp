@@ -5,10 +5,8 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Core>
 

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

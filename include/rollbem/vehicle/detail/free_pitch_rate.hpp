@@ -1,7 +1,6 @@
 // The pitch rate of free rolling.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 

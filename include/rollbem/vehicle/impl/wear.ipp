@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <string>
-#include <utility>
 
 #include "../../detail/finite.hpp"
 #include "../../detail/linear_between.hpp"

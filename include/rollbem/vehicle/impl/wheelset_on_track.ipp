@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <tuple>
 #include <utility>
 #include <vector>
 
