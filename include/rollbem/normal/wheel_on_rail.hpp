@@ -184,7 +184,8 @@ public:
         bool interaction = true;
         /// Whether cells are halved, in the directions that need it, where halves would change the largest pressure of
         /// a patch by more than 5 %, or its load or approach by more than 0.5 %; few_cells where this would take too
-        /// many, the sooner if both profiles are rough (Geometry::is_rough()). If not, results are those of the given cells. Square cells are halved for outlines alone.
+        /// many, the sooner if both profiles are rough (Geometry::is_rough()). If not, results are those of the given
+        /// cells. Square cells are halved for outlines alone.
         bool halves_cells = true;
     };
 
