@@ -33,7 +33,8 @@ enum class Look {
 
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title
 /// counts those, except where x alone is not a number, which only ends a line. A point of a result without a
-/// neighbour gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript. Series of one label have one style in all panels.
+/// neighbour gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript. Series of one label have one style
+/// in all panels.
 struct Series {
     std::string label{};
     Look look = Look::curve;
@@ -82,7 +83,8 @@ std::string shown_name(const std::string& column);
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
 /// their label, what they share is appended to the title of an empty panel. Where y is undefined the line is
-/// interrupted. Curves that coincide are drawn as one. A single series without a prefix is called computed. Exact lines have each point once.
+/// interrupted. Curves that coincide are drawn as one. A single series without a prefix is called computed. Exact lines
+/// have each point once.
 struct Selection {
     std::vector<std::string> by{};
     std::string x{}, y{};
@@ -94,8 +96,8 @@ struct Selection {
 
 void add_series(Plot& plot, const Records& records, const Selection& selection);
 
-/// A map: the cells around (x, y) of rows, halfway to their neighbours, in colours of the column z, and hatched where it
-/// is empty.
+/// A map: the cells around (x, y) of rows, halfway to their neighbours, in colours of the column z, and hatched where
+/// it is empty.
 std::vector<Series> map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z);
 
 /// The edge of an outline, rollbem::Outline, as a closed line.

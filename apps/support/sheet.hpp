@@ -48,8 +48,8 @@ inline std::string help_line(const std::string& name, const std::string& meaning
 template <class Result, class Case = Scene>
 class Sheet {
 public:
-    /// `before` and `behind` are names of columns of the case, separated by commas, "NAME [UNIT]" where they have units;
-    /// the name of an own column without a value is one, too.
+    /// `before` and `behind` are names of columns of the case, separated by commas, "NAME [UNIT]" where they have
+    /// units; the name of an own column without a value is one, too.
     Sheet(const std::string& before, const std::vector<Column<Result>>& own, const std::string& behind)
         : before_(headings_of(before)), behind_(headings_of(behind)) {
         for (const Column<Result>& column : own) {

@@ -219,8 +219,8 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
 }
 
 // One problem after another of the same size, as they follow each other in time and as they do not: the same matrix,
-// bounds and zones again, other ones, c that changes by little, by much or its sign, or for which elements slide without
-// slip; responses in between.
+// bounds and zones again, other ones, c that changes by little, by much or its sign, or for which elements slide
+// without slip; responses in between.
 TEMPLATE_TEST_CASE_SIG("What a solver has solved before changes no bit of its results", "[friction]",
                        ((int directions), directions), 1, 2) {
     using Vectors = detail::Vectors<directions>;

@@ -132,7 +132,8 @@ TEST_CASE("FaStrip's middle strip has the forces of a line contact with spin", "
 }
 
 TEST_CASE("FASTSIM is the one of CONTACT on finer and finer grids", "[simplified]") {
-    // examples/fastsim of CONTACT 25.2, a/b = 2: flexibilities, F_y/(mu N) and M_z [N mm] of 40 and 200 elements a strip
+    // examples/fastsim of CONTACT 25.2, a/b = 2: flexibilities, F_y/(mu N) and M_z [N mm] of 40 and 200 elements a
+    // strip
     const PatchContact contact({8e-3, 4e-3, 8.2e10, nu});
     const double G = 82000, a = 8;
     const CreepCoefficients<double> c{8 * a / (3 * G * 0.4937e-4), 8 * a / (3 * G * 0.5152e-4),

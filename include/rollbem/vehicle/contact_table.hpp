@@ -181,12 +181,12 @@ public:
     static ContactTable read(const std::filesystem::path& path);
 
     /// Little-endian, version 3: the text "rollbem contact geometry"; version, numbers of shifts, yaws, loads and sides
-    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); the number of Errors (32 bits), and for each its loads,
-    /// number of wheels, mean, 95 % and largest of F_x, then of F_y (64 bits each); for each side the number of cuts (32
-    /// bits), the radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for each node
-    /// height and roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their means (32
-    /// bits each); then the checksum FNV-1a of all bytes before (64 bits). Files of version 2, without plane, bend and
-    /// errors, are read, too.
+    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); the number of Errors (32 bits), and for each its
+    /// loads, number of wheels, mean, 95 % and largest of F_x, then of F_y (64 bits each); for each side the number of
+    /// cuts (32 bits), the radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for
+    /// each node height and roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their
+    /// means (32 bits each); then the checksum FNV-1a of all bytes before (64 bits). Files of version 2, without plane,
+    /// bend and errors, are read, too.
     void write(std::ostream& stream) const;
 
     const Grid& grid() const { return grid_; }

@@ -261,8 +261,8 @@ private:
 
     // `work`: that of the present cells.
     bool double_cells(std::size_t k, double work) {
-        // cells times steps of a contact, some tenths of a second; those after a doubling are estimated. Where the waves
-        // of two rough profiles meet is an accident of the position: worth less.
+        // cells times steps of a contact, some tenths of a second; those after a doubling are estimated. Where the
+        // waves of two rough profiles meet is an accident of the position: worth less.
         constexpr double rounds = 3;
         const double most_work = geometry_->is_rough() ? 5e5 : 5e6;
         SolvedRegion& region = regions_[k];
@@ -280,8 +280,8 @@ private:
         return true;
     }
 
-    // More cells in the directions in which they are too large: where pressures on cells twice as large differ too much,
-    // or waves lie between their centres.
+    // More cells in the directions in which they are too large: where pressures on cells twice as large differ too
+    // much, or waves lie between their centres.
     MoreCells cells_for_pressures(std::size_t k) {
         const SolvedRegion& region = regions_[k];
         const NormalContact::Grid& h = interact() ? displaced(k) : region.gaps.h;

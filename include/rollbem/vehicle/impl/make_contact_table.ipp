@@ -127,8 +127,8 @@ public:
         return best;
     }
 
-    /// The mean of errors over mu Q, which gives the largest errors most weight, and what a table has besides, times the
-    /// time of a look-up in units of a further point's.
+    /// The mean of errors over mu Q, which gives the largest errors most weight, and what a table has besides, times
+    /// the time of a look-up in units of a further point's.
     double cost(const ContactTable::Zones& zones) const {
         constexpr double other_errors = 2e-3, time_without_points = 0.5;
         double sum = 0;
