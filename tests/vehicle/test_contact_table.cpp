@@ -579,7 +579,7 @@ TEST_CASE("an ellipse keeps its size where a zone begins to carry", "[contact_ta
     const Inputs begins{-5.51e-3, 8e-3, 20, -20 / radius, 0, 0, 0, 20.0 / 400, 55e3, mu, 0};
     const WheelForces wheel = look_up(begins, WheelsetSide::left);
     REQUIRE(wheel.status == Status::ok);
-    CHECK(wheel.force[1] / (mu * 55e3) == Approx(2.027).margin(5e-3));  // by patches
+    CHECK(wheel.force[1] / (mu * 55e3) == Approx(2.0273).margin(8e-3));  // by patches
     const ContactTable::Side& side = s1002().side(WheelsetSide::right);
     const auto least = [&](ContactRow::Of row) {
         return (side.points.row(ContactRow::share) > 0).select(side.points.row(row), 1e100).minCoeff();
