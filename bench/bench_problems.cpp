@@ -15,6 +15,7 @@
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 #include <rollbem/steady/steady.hpp>
 
 namespace {

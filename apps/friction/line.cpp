@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 
