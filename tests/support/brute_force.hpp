@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/steady/steady.hpp>
 
 namespace brute_force {

@@ -4,6 +4,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+
 namespace dense {
 
 Spectrum spectrum(const Eigen::MatrixXd& A) {

@@ -9,6 +9,8 @@
 #else
 #define SCALARS float, double, long double
 
+#include <rollbem/steady/steady.hpp>
+
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
