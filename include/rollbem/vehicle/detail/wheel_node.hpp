@@ -237,7 +237,8 @@ inline void fit_bends(std::vector<ContactRow::Values>& points, const ContactTabl
                 by_bend.col(k) = (errors(moved) - error) / step;
             }
             const Eigen::VectorXd change = (by_bend.transpose() * by_bend).ldlt().solve(by_bend.transpose() * error);
-            v.segment<numbers>(bend) = (v.segment<numbers>(bend) - change.array()).max(-most).min(most);
+            const auto bent = v.segment<numbers>(bend) - change.array();
+            v.segment<numbers>(bend) = bent.cwiseMax(-most).cwiseMin(most);
         }
     }
 }
