@@ -1,7 +1,6 @@
 // The rows of a scheme for G and G' of a line, and the coordinates of its elements. Internal.
 #pragma once
 
-
 #include <Eigen/Core>
 
 #include "../../detail/require.hpp"
