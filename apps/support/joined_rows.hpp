@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csv.hpp"
+#include "input.hpp"
 #include "options.hpp"
 
 namespace study {

@@ -1,6 +1,7 @@
 // The files that options name: inputs and what is written.
 #include <filesystem>
 
+#include "input.hpp"
 #include "options.hpp"
 #include "output.hpp"
 

@@ -16,6 +16,7 @@
 #include "csv.hpp"
 #include "named_scheme.hpp"
 #include "options.hpp"
+#include "plot.hpp"
 
 namespace study {
 
