@@ -233,8 +233,8 @@ elements and strips.
   patch_study --n 12 --creepage 0.001,0,0.3 --normal-load 8e4 --friction 0.3 --half-length 6e-3 --half-width 4e-3 \
       --shear-modulus 8.2e10
 --falling, --memory: slip velocities in V mu_0 p_0/G, p_0 = 3 N/(2 pi a b) Hertz's largest pressure, distances in
-c mu_0 p_0/G; mu is mu_0 in all ratios. A memory needs --strips 1. Where mu falls steeply, several solutions may exist,
-and rows take the one with most friction.
+c mu_0 p_0/G; mu is mu_0 in all ratios. Particles remember along their strips, on a mesh without --breathing. Where mu
+falls steeply, several solutions may exist, and rows take the one with most friction.
 --plot draws up to three patches at one creepage from above, with y downwards and z away from the viewer. At the pole of
 spin the rigid slip vanishes.
 

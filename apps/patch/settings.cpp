@@ -381,20 +381,6 @@ void add_transient_options(study::Options& options) {
         "without it, and with --breathing=false, the mesh covers the largest ellipse");
 }
 
-namespace {
-
-/// The law of friction. Throws BadInput if it has a memory, which belongs to particles, on patches of several strips.
-std::optional<study::ChosenLaw> read_law(const study::Options& options, const std::vector<Patch>& patches) {
-    std::optional<study::ChosenLaw> law = study::read_friction_law(options);
-    const bool several =
-        std::any_of(patches.begin(), patches.end(), [](const Patch& patch) { return patch.mesh.strip_count() > 1; });
-    options.require(!law || law->memory.distance == 0 || !several, "memory",
-                    "go with --strips 1: the library follows the memory of particles along one strip only");
-    return law;
-}
-
-}  // namespace
-
 Friction read_friction(const study::Options& options, const std::vector<Patch>& patches) {
     std::vector<CreepPoint> points = read_points(options, patches);
     std::optional<SiUnits> si;
@@ -419,7 +405,7 @@ Friction read_friction(const study::Options& options, const std::vector<Patch>& 
                    .from_above = options.given("plot"),
                    .keeps_tractions = options.given("tractions")};
     if (options.given("force")) scene.force = options.number("force", study::finite());
-    scene.law = read_law(options, patches);
+    scene.law = study::read_friction_law(options);
     scene.si = si;
     for (const Patch& patch : patches) scene.pressure(patch);  // before anything is written
     scene.from_above = scene.from_above && scene.points.size() == 1 && !scene.force && patches.size() <= 3;
@@ -433,7 +419,13 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
     TimeScene scene{patches, read_pressure(options),
-                    study::read_run(options, history_columns, study::between(-1e6, 1e6)), read_law(options, patches)};
+                    study::read_run(options, history_columns, study::between(-1e6, 1e6)),
+                    study::read_friction_law(options)};
+    const bool in_strips =
+        scene.law && scene.law->memory.distance > 0 &&
+        std::any_of(patches.begin(), patches.end(), [](const Patch& patch) { return patch.mesh.strip_count() > 1; });
+    options.require(!in_strips || !scene.run.breathing, "memory",
+                    "go without --breathing, or with --strips 1: particles keep to strips of constant width");
     const study::History& imposed = scene.run.imposed;
     if (imposed.has("spin")) require_no_gain(options, patches);
     if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;
@@ -451,7 +443,9 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
     }
     const study::Numbers& loads = imposed.values("load_ratio");
     // of a shape of its own, which need not shrink with the load
-    if (!options.given("breathing")) scene.run.breathing = *std::min_element(loads.begin(), loads.end()) > 0;
+    if (!options.given("breathing")) {
+        scene.run.breathing = !in_strips && *std::min_element(loads.begin(), loads.end()) > 0;
+    }
     return scene;
 }
 

@@ -330,6 +330,122 @@ TEST_CASE("patch_friction: limits and symmetries") {
     CHECK(alone.step.slip_work > 0);
 }
 
+/// Friction that falls within a memory on a circle of 5 mm with a layer.
+struct Remembering {
+    static constexpr double a = 5e-3, speed = 20;
+    Eigen::Index n, m;
+    double soft, creepage;  ///< compliance of the layer times G [m]
+    PatchContact contact{{.half_length = a, .half_width = a, .shear_modulus = G, .poisson_ratio = nu}};
+    PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(n), uniform_mesh(m));
+    Eigen::ArrayXd pressure = hertz_pressures(contact, mesh, 6e4);
+    double velocity = 0.3 * creepage * speed;
+
+    /// A layer so soft that strips do not know each other. All elements slide at the trailing edge, most of them far
+    /// enough for mu to fall.
+    static Remembering in_separate_strips() {
+        constexpr double soft = 1e5 * a;
+        Remembering scene{8, 5, soft, 0};
+        scene.creepage = 0.7 * mu * scene.pressure.maxCoeff() / G * soft / a;
+        scene.velocity = 0.3 * scene.creepage * speed;
+        return scene;
+    }
+
+    Friction friction(const Eigen::ArrayXd& own, double distance) const {
+        return {ExponentialFall{mu, 0.4 * mu, velocity}, own, {distance, velocity / 100}};
+    }
+    /// The force in steady rolling, or after some steps in time.
+    TangentialForce force(const PatchContact& on, const PatchMesh<double>& of, const Friction& friction,
+                          const Creepage& creepage, int steps) const {
+        const HalfSpace<double> kernel(nu, soft / on.half_length());
+        const FrictionModel model(on, rolling_system(of, chebyshev, kernel), unchecked, friction);
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        FrictionStep step = model.steady(now, {Travel::at_speed(speed), creepage}, next, workspace);
+        for (int k = 0; k < steps; ++k) {
+            const double dq = 0.32 / double(n) * a;
+            step = model.advance(now, {{dq, dq / speed}, creepage}, next, workspace);
+            std::swap(now, next);
+        }
+        REQUIRE(step.status == Status::ok);
+        return step.force;
+    }
+};
+
+TEST_CASE("patch_friction: particles remember friction along their strips") {
+    const Remembering scene = Remembering::in_separate_strips();
+    const double distance = scene.creepage * scene.a / 2;
+    const Creepage creepage{0.8 * scene.creepage, 0.6 * scene.creepage, 0};
+    for (const int steps : {0, 12}) {
+        const TangentialForce all =
+            scene.force(scene.contact, scene.mesh, scene.friction(scene.pressure, distance), creepage, steps);
+        TangentialForce sum{0, 0, 0};
+        for (Eigen::Index j = 0; j < scene.m; ++j) {  // a patch of each strip
+            const PatchContact strip({.half_length = scene.a * scene.mesh.half_lengths()[j],
+                                      .half_width = scene.a * scene.mesh.widths()[j] / 2,
+                                      .shear_modulus = G,
+                                      .poisson_ratio = nu});
+            const Eigen::ArrayXd own = scene.pressure.segment(j * scene.n, scene.n);
+            const TangentialForce force = scene.force(strip, patch_mesh(strip, cosine_mesh(scene.n), uniform_mesh(1)),
+                                                      scene.friction(own, distance), creepage, steps);
+            sum.longitudinal += force.longitudinal;
+            sum.lateral += force.lateral;
+        }
+        CAPTURE(steps);
+        CHECK(all.longitudinal == Approx(sum.longitudinal).epsilon(1e-4));
+        CHECK(all.lateral == Approx(sum.lateral).epsilon(1e-4));
+    }
+    // in the end time leads to steady rolling; memories that keep everything, and nothing
+    const auto force = [&](double own, int steps) {
+        return scene.force(scene.contact, scene.mesh, scene.friction(scene.pressure, own), creepage, steps)
+            .longitudinal;
+    };
+    const double steady = force(distance, 0), kept = force(1e9, 0), forgotten = force(1e-12 * distance, 0);
+    CHECK(force(distance, 150) == Approx(steady).epsilon(1e-2));
+    Friction constant = scene.friction(scene.pressure, 0);
+    CHECK(forgotten ==
+          Approx(scene.force(scene.contact, scene.mesh, constant, creepage, 0).longitudinal).epsilon(1e-9));
+    constant.law = mu;
+    CHECK(kept == Approx(scene.force(scene.contact, scene.mesh, constant, creepage, 0).longitudinal).epsilon(1e-9));
+    CHECK(std::abs(steady - forgotten) > 0.05 * std::abs(kept - forgotten));
+    CHECK(std::abs(kept - steady) > 0.05 * std::abs(kept - forgotten));
+}
+
+TEST_CASE("patch_friction: rolling with a memory becomes steady") {
+    // both discretise the path of particles to the first order
+    std::vector<double> differences;
+    for (const Eigen::Index n : {4, 8, 16}) {
+        const Remembering scene{n, 4, 0, 1e-2};
+        const Creepage creepage{0.8 * scene.creepage, 0.5 * scene.creepage, 0.3 * scene.creepage / Remembering::a};
+        const Friction friction = scene.friction(scene.pressure, 0.3 * scene.creepage * Remembering::a);
+        const TangentialForce steady = scene.force(scene.contact, scene.mesh, friction, creepage, 0),
+                              later = scene.force(scene.contact, scene.mesh, friction, creepage, 15 * int(n));
+        differences.push_back(std::hypot(later.longitudinal - steady.longitudinal, later.lateral - steady.lateral) /
+                              std::hypot(steady.longitudinal, steady.lateral));
+        CAPTURE(n, steady.longitudinal, steady.lateral, differences.back());
+        CHECK(differences.back() < 0.4 / double(n));
+    }
+    CHECK(differences[1] < 0.6 * differences[0]);
+    CHECK(differences[2] < 0.6 * differences[1]);
+}
+
+TEST_CASE("patch_friction: strips with a memory keep their width") {
+    const Remembering scene = Remembering::in_separate_strips();
+    const auto status = [&](const PatchMesh<double>& mesh, double distance) {
+        const Eigen::ArrayXd pressure = hertz_pressures(scene.contact, mesh, 6e4);
+        const FrictionModel model(scene.contact,
+                                  breathing_system(scene.contact, mesh, chebyshev, HalfSpace<double>(nu)), unchecked,
+                                  scene.friction(pressure, distance));
+        auto workspace = model.workspace();
+        auto state = model.at_rest();
+        const NormalLoad grown{pressure, 1.01 * scene.a, {}, 1.01 * scene.a};
+        return model.advance(model.at_rest(), {{scene.a / 10, 1e-4}, Creepage{1e-3, 0, 0}, grown}, state, workspace)
+            .status;
+    };
+    CHECK(status(scene.mesh, 0) == Status::ok);
+    CHECK(status(patch_mesh(scene.contact, cosine_mesh(scene.n), uniform_mesh(1)), 1e-6) == Status::ok);
+    CHECK(status(scene.mesh, 1e-6) == Status::needs_fixed_mesh);
+}
+
 TEST_CASE("patch_friction: bad input and foreign states") {
     const Scene scene(6e-3, 4e-3, 4, 4), other(4e-3, 6e-3, 4, 4);
     CHECK_THROWS_WITH(FrictionModel(scene.contact, steady_system(other.mesh, chebyshev, scene.kernel), scene.friction),

@@ -77,9 +77,10 @@ struct FrictionScratch;  // internal
 /// If mu depends on slip, steps have a duration, {{dq, duration}, creepage}, and v = |slip in a stage| / its duration.
 /// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element starts from
 /// the coefficient of the particle that arrives there. A particle enters with mu_s(0), and its memory is reset where
-/// there is no pressure. A step may have several solutions, of which the coefficients of `from` lead to one, and the
-/// nearest one may vanish; the force then jumps within the step, however short it is (docs/friction.md). Steps must
-/// resolve the memory: the slip in a step should be shorter than the memory's distance.
+/// there is no pressure. It stays in its strip: where there are several, loads that change the half-width are
+/// needs_fixed_mesh. A step may have several solutions, of which the coefficients of `from` lead to one, and the nearest
+/// one may vanish; the force then jumps within the step, however short it is (docs/friction.md). Steps must resolve the
+/// memory: the slip in a step should be shorter than the memory's distance.
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});

@@ -37,6 +37,8 @@ struct Elements {
     /// Length along x of the interval, about its point, in which each equation holds; for a difference of u, the
     /// distance between its two points. Empty where it is not known.
     ArrayX<Scalar> intervals;
+    /// x of the leading edge of each element's strip. Empty where it is not known.
+    ArrayX<Scalar> leading_edge;
     std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
     /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
     /// finite differences at equal alphas of 0.5. False where it is not known.
@@ -45,6 +47,8 @@ struct Elements {
     Eigen::Index size() const { return areas.size(); }
     bool places_are_known() const { return x.size() == size(); }
     bool is_one_strip() const { return behind == one_strip(size()); }
+    /// Whether element i leads its strip.
+    bool leads(Eigen::Index i) const { return i + 1 == size() || behind[static_cast<std::size_t>(i + 1)] != i; }
 
     /// `behind` for n elements in one strip.
     static std::vector<Eigen::Index> one_strip(Eigen::Index n) {

@@ -68,6 +68,7 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const BothRows<Scalar>&
     elements.centre_x = mesh.centres().head(n);
     elements.centre_y = ArrayX<Scalar>::Zero(n);
     elements.areas = mesh.widths().head(n);
+    elements.leading_edge = ArrayX<Scalar>::Ones(n);
     elements.behind = Elements<Scalar>::one_strip(n);
     elements.half_element_ahead = both.half_element_ahead();
     return elements;

@@ -33,8 +33,8 @@ Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& sch
     const detail::StripRows<Scalar> rows = detail::strip_rows(mesh.along(), scheme, Quantity::slope);
     const Eigen::Index n = mesh.elements_per_strip(), size = mesh.size();
     Elements<Scalar> elements;
-    for (ArrayX<Scalar>* values :
-         {&elements.x, &elements.y, &elements.centre_x, &elements.centre_y, &elements.areas, &elements.intervals}) {
+    for (ArrayX<Scalar>* values : {&elements.x, &elements.y, &elements.centre_x, &elements.centre_y, &elements.areas,
+                                   &elements.intervals, &elements.leading_edge}) {
         values->resize(size);
     }
     for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
@@ -43,6 +43,7 @@ Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& sch
         elements.centre_x.segment(j * n, n) = middle + scale * mesh.along().centres();
         elements.y.segment(j * n, n).setConstant(mesh.middles_y()[j]);
         elements.intervals.segment(j * n, n) = scale * rows.lengths;
+        elements.leading_edge.segment(j * n, n).setConstant(middle + scale);
         elements.areas.segment(j * n, n) = scale * mesh.widths()[j] * mesh.along().widths();
         for (Eigen::Index i = 0; i < n; ++i) elements.behind.push_back(i == 0 ? -1 : j * n + i - 1);
     }

@@ -62,8 +62,10 @@ struct ContactData {
                 "equal the number of elements");
         for (const double each : pressure) require_not_negative(who, "normal_pressure", each);
         require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
-        require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory",
-                memory.distance, "be 0 for elements in several strips");
+        const Elements<double>& elements = system.elements();
+        const bool knows_strips = elements.intervals.size() > 0 && elements.leading_edge.size() > 0;
+        require(memory.distance == 0 || elements.is_one_strip() || knows_strips, who, "distance of the memory",
+                memory.distance, "be 0 for elements in several strips of unknown intervals and leading edges");
         normal_pressure = pressure.head(size());
         Fingerprint own, pressures;
         for (std::size_t d = 0; d < directions; ++d) {
@@ -92,6 +94,8 @@ struct ContactData {
 
     Index size() const { return system.size(); }
     bool varies() const { return !law.is_constant(); }
+    /// Whether mu belongs to particles of several strips, which must stay in them.
+    bool remembers_in_strips() const { return varies() && memory.distance > 0 && !system.elements().is_one_strip(); }
     double bound_per_pressure() const { return (varies() ? 1 : law.at_rest()) / units.shear_modulus; }
     const CentreValues<double>* centres() const { return rotates ? &work.centres() : nullptr; }
     /// The columns of vectors in two directions that belong to the contact.
@@ -225,7 +229,8 @@ void begin(const StepView<directions>& view) {
     if constexpr (directions == 2) {
         asked[1] = true;
         asked[2] = contact.system.elements().places_are_known();
-        asked[By::half_width] = asked[By::half_length] && changes_shape(contact.system);
+        asked[By::half_width] =
+            asked[By::half_length] && changes_shape(contact.system) && !contact.remembers_in_strips();
     }
     if (asked[By::load])
         scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();

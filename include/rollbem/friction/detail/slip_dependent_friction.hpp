@@ -34,7 +34,8 @@ struct FrictionEvolution {
     const VectorX<double>& duration;  ///< of the period [s]
     const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
     const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
-    double velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
+    const Elements<double>& elements;
+    double velocity_per_slip;  ///< slip velocity [m/s] over the solver's slip
 
     bool has_pressure(Index i) const { return pressure[i] > 0; }
 
@@ -158,6 +159,7 @@ private:
         double ahead = evolution.law.at_rest();
         for (Index i = size() - 1; i >= 0; --i) {
             velocity_[i] = evolution.velocity_per_slip * search.stage.solution.slip_size(i);
+            if (evolution.elements.leads(i)) ahead = evolution.law.at_rest();
             const double before = evolution.before == nullptr ? ahead : (*evolution.before)[i];
             mu_[i] = ahead =
                 evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.law.at_rest();
@@ -233,9 +235,10 @@ private:
             slope_[i] = kept_[i] = 0;
             if (!evolution.has_pressure(i)) continue;
             const double v = rounded(velocity_[i]);
-            if (steady) kept_[i] = evolution.kept(i, v);
+            const bool enters = evolution.elements.leads(i);
+            if (steady && !enters) kept_[i] = evolution.kept(i, v);
             if (solution.slides[i] == 0) continue;
-            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.law.at_rest();
+            const double ahead = enters ? evolution.law.at_rest() : mu_[i + 1];
             const double before = rounded(steady ? ahead : (*evolution.before)[i]);
             const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
             const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
@@ -366,7 +369,7 @@ struct Coefficients {
         if (!remembers()) return own.before.setZero(), void();
         AlongContact<double> at_start = along_start();
         if (!now.place.is_second) {
-            for (Index i = 0; i < size(); ++i) own.before[i] = at_start(origin(now, i)).value;
+            for (Index i = 0; i < size(); ++i) own.before[i] = at_start(i, origin(now, i)).value;
             return;
         }
         own.increment = own.friction - own.before;
@@ -374,7 +377,8 @@ struct Coefficients {
         AlongContact<double> increment = along_first(own.increment);
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
-            const double before = at_start(origin(now, i)).value + now.place.ratio() * increment(between(now, i)).value;
+            const double before =
+                at_start(i, origin(now, i)).value + now.place.ratio() * increment(i, between(now, i)).value;
             own.before[i] = (std::max)(before, 0.0);
         }
     }
@@ -424,11 +428,11 @@ private:
 
     FrictionEvolution evolution(const Stage& now) const {
         const double per_slip = step.steady ? step.speed : step.unit / (now.place.part * step.duration);
-        return {law, memory, own.duration, step.steady ? nullptr : &own.before, own.pressure, per_slip};
+        return {law, memory, own.duration, step.steady ? nullptr : &own.before, own.pressure, elements, per_slip};
     }
 
-    AlongContact<double> along_start() const { return {elements.x, from.friction_coefficient.data(), law.at_rest()}; }
-    AlongContact<double> along_first(const VectorX<double>& change) const { return {elements.x, change.data(), 0.0}; }
+    AlongContact<double> along_start() const { return {elements, from.friction_coefficient.data(), law.at_rest()}; }
+    AlongContact<double> along_first(const VectorX<double>& change) const { return {elements, change.data(), 0.0}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     double origin(const Stage& now, Index i) const {
         return (now.geometry.half_length * elements.x[i] + now.place.progress * step.dq) * per_half_length();
@@ -447,7 +451,7 @@ private:
     void add_carried(const Stage& now, std::size_t parameter) {
         AlongContact<double> change = along_first(own.carried[parameter]);
         for (Index i = 0; i < size(); ++i) {
-            const double added = now.place.ratio() * change(between(now, i)).value;
+            const double added = now.place.ratio() * change(i, between(now, i)).value;
             if (own.before[i] > 0) own.before_change[i] += added;
         }
     }
@@ -458,11 +462,11 @@ private:
         for (Index i = 0; i < size(); ++i) {
             const double point = elements.x[i];
             double& change = own.path_change[i];
-            change = at_start(origin(now, i)).slope * now.place.progress * point * per_half_length();
+            change = at_start(i, origin(now, i)).slope * now.place.progress * point * per_half_length();
             if (!now.place.is_second) continue;
             const double x = between(now, i),
                          moved = (now.place.progress * point - now.place.part * x) * per_first(now);
-            change += now.place.ratio() * increment(x).slope * moved;
+            change += now.place.ratio() * increment(i, x).slope * moved;
             if (!(own.before[i] > 0)) change = 0;
         }
     }

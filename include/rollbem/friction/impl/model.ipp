@@ -117,7 +117,7 @@ FrictionState at_rest(const ContactData<directions>& contact) {
 }
 
 /// Whether the load of a step can follow a state: ok; invalid_load, also if a patch changes its half-length without a
-/// new half-width; needs_fixed_mesh if a line contact changes its half-width.
+/// new half-width; needs_fixed_mesh if the half-width of a line contact changes, or of strips whose particles remember.
 template <int directions>
 Status check_load(const ContactData<directions>& contact, const FrictionState& from, const NormalLoad* load) noexcept {
     const Status possible = load == nullptr ? Status::ok : load->check(contact.system.element_count());
@@ -126,7 +126,8 @@ Status check_load(const ContactData<directions>& contact, const FrictionState& f
     if (load->half_width == 0) {
         return line || load->half_length == from.half_length ? Status::ok : Status::invalid_load;
     }
-    return line && load->half_width != contact.units.half_width ? Status::needs_fixed_mesh : Status::ok;
+    const double fixed = line ? contact.units.half_width : from.half_width;
+    return (line || contact.remembers_in_strips()) && load->half_width != fixed ? Status::needs_fixed_mesh : Status::ok;
 }
 /// The load at the end of a step. A half-width of 0 is replaced by the half-width of `from`.
 inline LoadAtEnd load_after(const FrictionState& from, const NormalLoad* load) noexcept {

@@ -38,9 +38,14 @@ void Elements<Scalar>::require_valid(const char* who, const char* area) const {
                         "equal the number of elements");
         detail::require(detail::all_finite(*places), who, "a place", places->sum(), "be finite");
     }
-    const Eigen::Index ways = intervals.size();
-    detail::require(ways == 0 || ways == n, who, "number of intervals", ways, "equal the number of elements");
-    detail::require(detail::all_finite(intervals), who, "an interval", intervals.sum(), "be finite");
+    for (const ArrayX<Scalar>* lengths : {&intervals, &leading_edge}) {
+        const bool edges = lengths == &leading_edge;
+        detail::require(lengths->size() == 0 || lengths->size() == n, who,
+                        edges ? "number of leading edges" : "number of intervals", lengths->size(),
+                        "equal the number of elements");
+        detail::require(detail::all_finite(*lengths), who, edges ? "a leading edge" : "an interval", lengths->sum(),
+                        "be finite");
+    }
     detail::require(behind.size() == static_cast<std::size_t>(n), who, "number of equations behind", behind.size(),
                     "equal the number of elements");
     for (Eigen::Index i = 0; i < n; ++i) {
