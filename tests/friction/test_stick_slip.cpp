@@ -35,6 +35,7 @@ struct Solver {
     }
     const detail::StageSolution<directions>& solve(const VectorX<double>& bound, const Vectors& traction,
                                                    const std::vector<Zone>& zones) {
+        if (problem.bound != bound) ++problem.bounds;
         problem.bound = bound;
         problem.measure(0);
         std::array<Vectors, directions> start;

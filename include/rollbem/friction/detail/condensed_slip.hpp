@@ -51,8 +51,7 @@ public:
         for (std::size_t g = 0; g < matrix.groups(); ++g) table_[g].resize(matrix.group_size(), matrix.group_size());
     }
 
-    /// Eliminates the elements that stick. Where M_SS is singular, a nearby matrix takes its place; false if that
-    /// fails, too.
+    /// Eliminates the elements that stick, with a nearby matrix where M_SS is singular; false if both fail.
     bool condense(M& matrix, const std::vector<Role>& roles) {
         if (are_of(matrix, roles)) return is_usable_;
         take(matrix, roles);

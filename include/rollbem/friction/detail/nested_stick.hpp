@@ -53,8 +53,7 @@ public:
           swaps_(static_cast<std::size_t>(matrix.size())),
           nested_(swaps_.size()) {}
 
-    /// Eliminates the elements that stick. Where M_SS is singular, a nearby matrix takes its place; false if that
-    /// fails, too.
+    /// Eliminates the elements that stick, with a nearby matrix where M_SS is singular; false if both fail.
     bool condense(M& matrix, const std::vector<Role>& roles) {
         if (are_of(matrix, roles)) return is_usable_;
         if (matrix_revision_ != matrix.revision()) {
@@ -73,8 +72,7 @@ public:
 
     void find_base(const M&, const Vectors<1>* c, Base& base) const { base.constant = c; }
 
-    /// Finds the tractions of S and the slip of all elements by products with M itself: the slip of S is the error of
-    /// its tractions.
+    /// Finds the tractions of S and the slip of all elements by products with M: the slip of S is their error.
     void complete(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
         clear_stuck(p);
         is_loaded_ = !p.isZero(0);

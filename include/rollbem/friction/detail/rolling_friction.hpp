@@ -235,7 +235,7 @@ void begin(const StepView<directions>& view) {
     for (std::size_t k = 0; k < view.histories(); ++k) {
         const bool is_unrotated = view.histories() == 2 && k == 0 && from.unrotated_traction.rows() > 0;
         const ElementVectors& traction = is_unrotated ? from.unrotated_traction : from.traction;
-        scratch.start[k] = contact.along(traction) / contact.units.shear_modulus;
+        scratch.start[k] = 1 / contact.units.shear_modulus * contact.along(traction);
         if (step.steady) {
             scratch.displacement[k].setZero();
         } else {
@@ -273,6 +273,7 @@ void set_bounds(const StepView<directions>& view, const Stage<directions>& now) 
     if (now.place.is_second && load.pressure_rate == nullptr) return;
     const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
     if (is_whole && scratch.bound_per_pressure == contact.bound_per_pressure() && scratch.has(load.pressure)) return;
+    ++scratch.problem.bounds;
     scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
     if (is_whole) scratch.pressure = load.pressure.head(contact.size());
     VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
@@ -300,8 +301,7 @@ void set_problem(const StepView<directions>& view, const Stage<directions>& now)
             const double share = now.place.progress;
             c += now.factor * ((1 - share) * step.motion.start_rows() + share * step.motion.end_rows());
         }
-        // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
-        // first
+        // without creepage tractions decay for ever, but the rounding errors that judge them underflow first
         scratch.problem.measure(k);
         double& imposed = scratch.problem.imposed[k];
         if (!(imposed < negligible<double> && all_finite(c))) continue;
@@ -349,15 +349,14 @@ void start_second(const StepView<directions>& view, const Stage<directions>& now
     StepScratch<directions>& scratch = view.scratch;
     if (view.contact.varies()) scratch.first = scratch.solution.traction();
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        scratch.start[k] = view.traction(k);
+        if constexpr (directions == 2) scratch.start[k] = view.traction(k);
         Vectors<directions>& U = scratch.displacement[k];
-        find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
+        find_displacements(view.contact.system, now.geometry.axes(), view.traction(k), scratch.change);
         U += now.place.ratio() * (scratch.change - U);
     }
 }
 
-/// Finds dp of a solved stage by a parameter while no element changes its zone. False, and dp is not computed, if the
-/// Memo still holds.
+/// Finds dp of a solved stage by a parameter while no element changes its zone; false if the Memo still holds.
 template <int directions>
 bool find_response(const StepView<directions>& view, const Stage<directions>& now, std::size_t parameter) {
     const auto& [contact, step, from, load, scratch] = view;
@@ -506,8 +505,7 @@ double jump_work(const StepView<directions>& view) {
     return unit * sum;
 }
 
-/// Completes the result, and fills `to`, the slip and the slip work. If the result is not finite, `to` is a copy of
-/// `from`.
+/// Completes the result, `to`, the slip and the slip work. If the result is not finite, `to` is a copy of `from`.
 template <int directions>
 void finish(const StepView<directions>& view, FrictionStep& result, FrictionState& to) {
     const auto& [contact, step, from, load, scratch] = view;

@@ -86,15 +86,13 @@ public:
             solution.status = is_finite(search.change) ? Status::no_solution : Status::not_finite;
             solution.has_tangent = false;
         }
-        solution.at_once = false;  // bounds have changed since start()
         solution.rounds = search.rounds;
         solution.path_points = search.path_points;
         solution.residual = is_finite(search.change) ? (std::max)(solution.residual, search.change) : search.change;
         return search.solutions;
     }
 
-    /// To be called before respond(). Returns a number that changes whenever the response to the same change may
-    /// change.
+    /// To be called before respond(). Returns a number that changes whenever respond() may differ.
     std::uint64_t linearise(const FrictionEvolution& evolution, const Stage& stage) {
         factorise(evolution, stage, true);
         return revision_;
@@ -139,6 +137,7 @@ private:
     void find(Search& search) {
         const auto& [problem, centres, solver, solution] = search.stage;
         problem.bound = search.friction.cwiseProduct(search.evolution.pressure);
+        ++problem.bounds;
         solver.solve(problem, centres, true, solution);
         search.rounds += solution.rounds;
         search.path_points += solution.path_points;
@@ -224,8 +223,7 @@ private:
     // coefficient of the element ahead. The slip of sticking elements remains zero.
     void differentiate(const FrictionEvolution& evolution, const Solution& solution) {
         const bool steady = evolution.before == nullptr;
-        // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
-        // slip
+        // the width of the differences suits elements that hardly slip, and no least velocity far above any slip
         const double fastest = rounded(velocity_.maxCoeff());
         const double unit = (std::min)(evolution.memory.least_velocity, fastest) + fastest / 1000;
         const double share = std::cbrt(std::numeric_limits<double>::epsilon());

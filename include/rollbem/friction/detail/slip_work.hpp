@@ -50,8 +50,7 @@ public:
         }
     }
 
-    /// Sum of p u dx over all elements and directions; twice the elastic energy if u are the displacements in all
-    /// equations.
+    /// Sum of p u dx over all elements and directions; twice the elastic energy for the displacements of p.
     template <class Traction, class Displacement>
     double product(const Traction& traction, const Displacement& displacement) const {
         double sum = 0;

@@ -46,6 +46,7 @@ struct StageProblem {
     PerPass<directions> constant;                           ///< c of the unrotated and of the rotated pass
     std::array<double, std::size_t(directions)> imposed{};  ///< max |c_i|, by measure()
     VectorX<double> bound;                                  ///< b, finite and not negative
+    std::uint64_t bounds = 1;                               ///< to be raised when b changes
     bool two_histories = false;                             ///< else both passes have the c of the first
 };
 
@@ -68,8 +69,7 @@ struct StageSolution {
           rotation(n),
           against_slip(Vectors<directions>::Zero(n, directions)),
           slides(VectorX<double>::Zero(n)),
-          zones(static_cast<std::size_t>(n), Zone::stick),
-          bound(slides) {}
+          zones(static_cast<std::size_t>(n), Zone::stick) {}
 
     const Vectors<directions>& traction() const { return pass[last].traction; }
     /// s, exactly zero where elements stick. Where they slide, R s opposes the traction.
@@ -89,7 +89,7 @@ struct StageSolution {
     int path_points = 0;         ///< points of the Homotopy; 0 if Newton's method sufficed
     double residual = 0;
     bool has_tangent = false;  ///< whether the solver can respond()
-    VectorX<double> bound;     ///< of the solution
+    std::uint64_t bounds = 0;  ///< of the problem solved
     bool at_once = false;      ///< the first Newton step has led to it, with one direction and given bounds
     bool repeats = false;      ///< the next search has its zones and bounds
     Status status = Status::not_finite;
@@ -159,8 +159,7 @@ public:
                Solution& solution) {
         for (auto& base : base_) base.forget();
         solution.has_rotated = false;
-        solution.repeats =
-            solution.at_once && same_bits(zones, solution.zones) && same_bits(problem.bound, solution.bound);
+        solution.repeats = solution.at_once && problem.bounds == solution.bounds && same_bits(zones, solution.zones);
         if (solution.repeats) return;
         if (problem.two_histories) difference_ = traction.back() - traction[0];
         Roles<directions>& roles = solution.pass[0].roles;
@@ -178,12 +177,10 @@ public:
         solution.rounds = solution.path_points = 0;
         solution.last = 0;
         solution.rotation.stop();
-        const bool repeats = std::exchange(solution.repeats, false);
+        const bool repeats = std::exchange(solution.repeats, false) && problem.bounds == solution.bounds;
         solution.at_once = false;
-        if (!repeats) {
-            adapt(problem.bound, solution.pass[0]);
-            if (directions == 1) solution.bound = problem.bound;
-        }
+        if (!repeats) adapt(problem.bound, solution.pass[0]);
+        solution.bounds = problem.bounds;
         const ProblemView<directions> unrotated = view(problem, 0, unrotated_);
         const Search first{unrotated, 0, centres != nullptr, solution, repeats};
         bool found = find(first, first_share);
@@ -439,8 +436,7 @@ private:
         }
         return false;
     }
-    // Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step
-    // does not exist.
+    // Takes the full Newton step into trial_; tractions that slide turn on their bounds. False if there is no step.
     bool take_step(const Search& search, Eliminated& at) {
         const auto& problem = search.problem;
         const Roles<directions>& roles = search.pass().roles;
@@ -651,8 +647,7 @@ private:
         solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
                                    : std::numeric_limits<double>::quiet_NaN();
     }
-    // check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
-    // stick can differ.
+    // check() of a solution found at once from zones and bounds of another: only what does not stick can differ.
     void check_again(const ProblemView<directions>& problem, Solution& solution) {
         Pass<directions>& pass = solution.pass[0];
         const Eliminated& at = eliminated_[0];
