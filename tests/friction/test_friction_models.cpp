@@ -34,6 +34,7 @@ TEST_CASE("Steady forces of a scheme that does not converge are not given", "[fr
             CHECK(asked_for.converges());
             CHECK(given.status != Status::assists_creepage);
             CHECK(given.stick_count == refused.stick_count);
+            CHECK(same(given.complementarity_residual, refused.complementarity_residual));
             setup.checks = unchecked;
         }
     }

@@ -202,24 +202,28 @@ TEST_CASE("What a workspace has solved before changes no bit of a step", "[frict
 TEST_CASE("Contacts of one system may share a workspace", "[friction]") {
     const Contact stiff({5e-3, 0.05, 8.2e10, nu}), soft({5e-3, 0.05, 4.1e10, nu});
     const Mesh<double> mesh = cosine_mesh<double>(20);
-    const auto system = steady_system(mesh, NodeDifference{Nodes::chebyshev}, StripKernel<double>::longitudinal(stiff));
+    const auto system = rolling_system(mesh, Collocation{}, PlaneKernel<double>::longitudinal(stiff));
     const ArrayX<double> pressure = 1e9 * mean_hertz_pressure(mesh);
-    const std::array<FrictionModel, 2> models{FrictionModel(stiff, system, {0.3, pressure}),
-                                              FrictionModel(soft, system, {0.3, ArrayX<double>(pressure / 2)})};
-    std::array<FrictionState, 2> now{models[0].at_rest(), models[1].at_rest()};
+    const std::array<FrictionModel, 3> models{
+        FrictionModel(stiff, system, unchecked, {0.3, pressure}),
+        FrictionModel(soft, system, unchecked, {0.3, ArrayX<double>(pressure / 2)}),
+        FrictionModel(stiff, system, unchecked, {0.3, pressure}, Integrator::sdirk2, 1)};
+    std::array<FrictionState, 3> now{models[0].at_rest(), models[1].at_rest(), models[2].at_rest()};
     FrictionModel::Workspace shared = models[0].workspace();
-    for (int k = 0; k < 6; ++k) {
-        const auto which = static_cast<std::size_t>(k % 2);
+    for (int k = 0; k < 24; ++k) {
+        const auto which = static_cast<std::size_t>(k / 2 % 3);
         const FrictionModel& model = models[which];
         FrictionModel::Workspace own = model.workspace();
         FrictionState one = now[which], other = now[which];
-        const FrictionModel::RollingStep step{.motion = Creepage{1e-3}};
+        const NormalLoad load{now[which].normal_pressure, k % 2 == 0 ? 5e-3 : 6e-3};
+        const FrictionModel::RollingStep step{.motion = Creepage{1e-3, 1e-3}, .load = load};
         const FrictionStep a = model.steady(now[which], step, one, shared),
                            b = model.steady(now[which], step, other, own);
         CAPTURE(k);
         REQUIRE(a.status == Status::ok);
         REQUIRE(same_bits::same(a.force, b.force));
         REQUIRE(same_bits::same(a.tangent, b.tangent));
+        REQUIRE(same_bits::same(shared.slip(), own.slip()));
         now[which] = one;
     }
 }

@@ -253,7 +253,7 @@ struct Body {
     double creepage() const { return is_patch() ? mu * load() / (4 * G * c() * c()) : slides; }
 
     FrictionModel model(By by, Law law, bool hole, double factor = 1) const {
-        const ExponentialFall falling{mu, 0.2, V * creepage()};
+        const ExponentialFall falling{mu, law == Law::remembering ? 0.02 : 0.2, V * creepage()};
         const Friction::Memory memory{law == Law::remembering ? a_0 * creepage() : 0, 0.01 * V * creepage()};
         const auto friction = [&](ArrayX<double> pressure) {
             if (hole) pressure[1] = 0;

@@ -177,7 +177,7 @@ public:
         solution.rounds = solution.path_points = 0;
         solution.last = 0;
         solution.rotation.stop();
-        const bool repeats = std::exchange(solution.repeats, false) && problem.bounds == solution.bounds;
+        const bool repeats = solution.repeats && problem.bounds == solution.bounds;
         solution.at_once = false;
         if (!repeats) adapt(problem.bound, solution.pass[0]);
         solution.bounds = problem.bounds;
@@ -656,15 +656,10 @@ private:
             const double along = pass.roles.direction(at.other(k), 0);
             slip = (std::min)(along * slip, 0.0) * along;
         }
-        bool is_same = true;
         for (Index k = at.sliding(); k < at.others(); ++k) {
             const Index i = at.other(k);
-            Zone& published = solution.zones[static_cast<std::size_t>(i)];
-            const Zone zone = pass.slip(i, 0) < 0 ? Zone::slip_negative : Zone::slip;
-            is_same = is_same && zone == published;
-            published = zone;
+            solution.zones[static_cast<std::size_t>(i)] = pass.slip(i, 0) < 0 ? Zone::slip_negative : Zone::slip;
         }
-        if (!is_same) ++solution.revision;
         const double slip = (std::max)(error_, creep_);
         solution.residual = problem.imposed > 0 ? slip / problem.imposed : slip;
     }
