@@ -316,13 +316,12 @@ void solve_stage(const StepView<directions>& view, const Stage<directions>& now,
     const auto& [contact, step, from, load, scratch] = view;
     const StageView<directions> stage = view.stage();
     auto& solution = stage.solution;
-    Coefficients<directions> coefficients = view.coefficients();
     set_matrix(contact, now, scratch);
-    if (contact.varies()) coefficients.enter(now);
+    if (contact.varies()) view.coefficients().enter(now);
     set_problem(view, now);
     stage.solver.start(stage.problem, scratch.start, now.place.is_second ? solution.zones : from.zones, solution);
     if (contact.varies()) {
-        coefficients.solve(now, stage);
+        view.coefficients().solve(now, stage);
     } else {
         stage.solver.solve(stage.problem, stage.centres, contact.with_tangents, solution);
     }
@@ -363,9 +362,8 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
     const StageView<directions> stage = view.stage();
     const StageSolution<directions>& solution = scratch.solution;
     TangentScratch<directions>& own = scratch.tangents;
-    Coefficients<directions> coefficients = view.coefficients();
     const std::uint64_t revision =
-        contact.varies() ? coefficients.linearise(now, stage) : scratch.solver.roles_revision();
+        contact.varies() ? view.coefficients().linearise(now, stage) : scratch.solver.roles_revision();
     if (directions == 1 && parameter == 0) {
         auto& memo = own.memo[now.place.is_second ? 2 : now.place.is_last() ? 1 : 0];
         const bool is_known = revision != 0 && revision == memo.revision && memo.contact == contact.fingerprint &&
@@ -387,7 +385,7 @@ bool find_response(const StepView<directions>& view, const Stage<directions>& no
         change.bound = &own.stage_bound_rate;
     }
     if (contact.varies()) {
-        coefficients.respond(now, parameter, change, stage, own.response);
+        view.coefficients().respond(now, parameter, change, stage, own.response);
     } else {
         scratch.solver.respond(scratch.problem, solution, change, contact.centres(), own.response);
     }
