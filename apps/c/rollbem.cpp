@@ -210,7 +210,7 @@ static int look_up(const char* who, const CreepForceTable& table, const double* 
     found = table.look_up(PatchContact({contact[0], contact[1], contact[2], contact[3]}), contact[4], contact[5],
                           creepage_from(contact + 6));
     if (found.status != Status::ok || found.a_over_b_on_table) return outcome(who, found.status);
-    const CreepForceGrid& grid = table.grid();
+    const CreepForceTable::Grid& grid = table.grid();
     return failed(std::string(who) + ": a/b = " + detail::to_text(contact[0] / contact[1]) +
                       " lies beyond the table, " + detail::to_text(grid.smallest_a_over_b()) + " to " +
                       detail::to_text(grid.largest_a_over_b()) + ": its border gives the forces",

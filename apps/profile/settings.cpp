@@ -101,22 +101,22 @@ void add_friction_options(study::Options& options) {
 }
 
 /// The friction of a file of angle,mu or y,mu. Throws BadInput.
-rollbem::RailFriction read_rail_friction(const study::Options& options) {
-    using Over = rollbem::RailFriction::Over;
+rollbem::RollingFriction::OnRail read_rail_friction(const study::Options& options) {
+    using Over = rollbem::RollingFriction::OnRail::Over;
     const std::vector<study::Numbers> columns = study::read_columns(options, "friction", "mu", "angle;y");
     const study::Numbers &mu = columns[0], &angle = columns[1], &y = columns[2];
     options.require(angle.empty() || y.empty(), "friction", "have one of the columns angle [rad] and y [m], not both");
     options.require(!mu.empty() && angle.empty() != y.empty(), "friction",
                     "have a row, and a column angle [rad] or y [m]");
     return study::blame(options.said("friction"), [&] {
-        return rollbem::RailFriction(y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu);
+        return rollbem::RollingFriction::OnRail(y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu);
     });
 }
 
 /// Throws BadInput.
-std::optional<rollbem::Heating> read_heating(const study::Options& options) {
+std::optional<rollbem::RollingFriction::Heating> read_heating(const study::Options& options) {
     if (!options.flag("temperature")) return {};
-    rollbem::Heating heating{options.number("conductivity", study::positive()),
+    rollbem::RollingFriction::Heating heating{options.number("conductivity", study::positive()),
                              options.number("heat-capacity", study::positive())};
     if (!options.given("hot-friction")) return heating;
     const std::vector<double> hot = options.row("hot-friction", 3);

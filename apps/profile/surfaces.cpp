@@ -106,7 +106,7 @@ rollbem::Profile aligned(const study::Options& options, const std::string& sourc
                          bool any_shape) {
     const auto [reference, parts] = read_reference(options, use);
     return study::blame("--" + source, [&, &onto = reference, &fixed = parts] {
-        const rollbem::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
+        const rollbem::Profile::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
         const auto in_mm = [](double length) { return study::Cell(1e3 * length).text(5) + " mm"; };
         const std::string motion =
             "aligned with " + options.text(reference_option(use)) + ": moved by dy = " + in_mm(found.dy) +

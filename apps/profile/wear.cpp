@@ -68,8 +68,8 @@ struct WearingBody {
 struct WearRow {
     double distance;
     std::array<double, 3> wheel, rail;  ///< largest depth, its y in the axes of the file, area
-    rollbem::FlangeSizes flange;
-    rollbem::RailWear head;
+    rollbem::Profile::FlangeSizes flange;
+    rollbem::Profile::RailWear head;
     bool has_rail;
     std::string status;
 };

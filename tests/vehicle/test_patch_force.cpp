@@ -142,12 +142,12 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
 TEST_CASE("At the gauge corner each strip has the friction of the rail's surface below it", "[profiles]") {
     const Scene scene;
     const RollingFriction friction{
-        .elements = 4, .strips = 9, .rail = RailFriction(RailFriction::Over::y, {-0.05, 0.05}, {0, 1})};
+        .elements = 4, .strips = 9, .rail = RollingFriction::OnRail(RollingFriction::OnRail::Over::y, {-0.05, 0.05}, {0, 1})};
     const PatchForce slides =
         patch_force(scene.patch, scene.at, {.forward = 2, .pitch_rate = -2}, wheel().dimensions(), friction);
     REQUIRE(slides.status == Status::ok);
     double apart = 0;
-    for (const LoadedRectangle& element : slides.surface) {
+    for (const Yield::LoadedRectangle& element : slides.surface) {
         const double y = scene.patch.surface_y((element.y_1 + element.y_2) / 2);
         const double traction = std::hypot(element.traction_x, element.traction_y);
         CHECK(traction == Approx(10 * (y + 0.05) * element.pressure).epsilon(1e-6));

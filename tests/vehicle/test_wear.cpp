@@ -288,7 +288,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
             const PatchForce worn = wear_of(friction, law, speed);
             double own = 0;
             for (Eigen::Index k = 0; k < friction.slip.size(); ++k) {
-                const LoadedRectangle& e = friction.surface[friction.first_element + std::size_t(k)];
+                const Yield::LoadedRectangle& e = friction.surface[friction.first_element + std::size_t(k)];
                 const double area = (e.x_2 - e.x_1) * (e.y_2 - e.y_1), slip = friction.slip[k];
                 own += area * law.depth({friction.work[k] / area, e.pressure, slip, slip * speed});
                 // work is traction times slip where both are taken at one place

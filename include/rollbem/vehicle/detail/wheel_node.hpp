@@ -98,7 +98,7 @@ inline std::vector<NodeFriction::Strip> strips_of(const std::vector<RailPatch>& 
         const double cosine = std::cos(patches[k].angle);
         double last = std::numeric_limits<double>::quiet_NaN();
         for (std::size_t i = own.first_element; i < own.first_element + std::size_t(own.elements); ++i) {
-            const LoadedRectangle& of = own.surface[i];
+            const Yield::LoadedRectangle& of = own.surface[i];
             const double area = (of.x_2 - of.x_1) * (of.y_2 - of.y_1), s = (of.y_1 + of.y_2) / 2;
             if (s != std::exchange(last, s)) strips.push_back({patches[k].y + s * cosine, RollingForces::Zero()});
             strips.back().force -= area * RollingForces(of.traction_x, of.traction_y * cosine);  // of the rail

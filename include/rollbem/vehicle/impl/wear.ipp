@@ -138,7 +138,7 @@ ROLLBEM_DECL PatchForce wear_of(const PatchForce& friction, const WearLaw& law, 
     const Eigen::ArrayXd widths = edges.tail(strips) - edges.head(strips);
     Eigen::ArrayXd volumes = Eigen::ArrayXd::Zero(strips);
     for (Eigen::Index i = 0; i < friction.slip.size(); ++i) {
-        const LoadedRectangle& element = friction.surface[friction.first_element + std::size_t(i)];
+        const Yield::LoadedRectangle& element = friction.surface[friction.first_element + std::size_t(i)];
         const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
         const WearLaw::Place place{friction.work[i] / area, element.pressure, friction.slip[i],
                                    friction.slip[i] * std::abs(velocity)};

@@ -26,7 +26,7 @@
 namespace rollbem {
 
 ROLLBEM_DECL Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat,
-                                              const Eigen::ArrayXd& at, double speed, const Heating& heating) {
+                                              const Eigen::ArrayXd& at, double speed, const RollingFriction::Heating& heating) {
     const double factor = std::sqrt(heating.diffusivity() / (std::numbers::pi * speed)) / heating.conductivity;
     const auto root = [](double x) { return std::sqrt((std::max)(x, 0.0)); };
     Eigen::ArrayXd found = Eigen::ArrayXd::Zero(at.size());
@@ -38,9 +38,9 @@ ROLLBEM_DECL Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const
     return factor * found;
 }
 
-ROLLBEM_DECL RailFriction::RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients)
+ROLLBEM_DECL RollingFriction::OnRail::OnRail(Over over, std::vector<double> nodes, std::vector<double> coefficients)
     : over_(over), nodes_(std::move(nodes)), coefficients_(std::move(coefficients)) {
-    constexpr const char* name = "RailFriction";
+    constexpr const char* name = "RollingFriction::OnRail";
     detail::require(!nodes_.empty(), name, "number of nodes", nodes_.size(), "be at least 1");
     detail::require(nodes_.size() == coefficients_.size(), name, "number of coefficients", coefficients_.size(),
                     "be the number of nodes");
@@ -56,7 +56,7 @@ ROLLBEM_DECL RailFriction::RailFriction(Over over, std::vector<double> nodes, st
     }
 }
 
-ROLLBEM_DECL double RailFriction::at(double angle, double y) const {
+ROLLBEM_DECL double RollingFriction::OnRail::at(double angle, double y) const {
     const double place = over_ == Over::angle ? angle : y;
     return detail::linear_between(nodes_, coefficients_, place);
 }
@@ -69,7 +69,7 @@ ROLLBEM_DECL PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
         friction.edges = -friction.edges.reverse().eval();
         friction.strip_work = friction.strip_work.reverse().eval();
     }
-    for (LoadedRectangle& element : friction.surface) {
+    for (Yield::LoadedRectangle& element : friction.surface) {
         if (x < 0)
             element = {-element.x_2,        -element.x_1,       element.y_1,     element.y_2,
                        -element.traction_x, element.traction_y, element.pressure};
@@ -180,7 +180,7 @@ struct PatchTemperatures {
 };
 
 inline PatchTemperatures temperatures_of(const std::vector<PatchMesh<double>::Rectangle>& elements, Eigen::Index along,
-                                         const Eigen::ArrayXd& work, double speed, const Heating& heating) {
+                                         const Eigen::ArrayXd& work, double speed, const RollingFriction::Heating& heating) {
     PatchTemperatures found{Eigen::ArrayXd(work.size()), 0};
     for (Eigen::Index first = 0; first < work.size(); first += along) {
         Eigen::ArrayXd edges(along + 1), heat(along);
@@ -244,7 +244,7 @@ public:
         const Eigen::ArrayXd cold = coefficients_on(meshes_, rolling_, friction_);
         MeshFriction found = with(cold);
         if (!friction_.heating || found.status != Status::ok) return found;
-        const std::optional<Heating::Friction>& hot = friction_.heating->friction;
+        const std::optional<RollingFriction::Heating::Friction>& hot = friction_.heating->friction;
         constexpr double settled = 1e-7;
         Eigen::ArrayXd mu = cold;
         for (int round = 0; round < 100; ++round) {
@@ -265,8 +265,8 @@ public:
     }
 
     /// Loads of the rail's surface under tractions of the wheel.
-    std::vector<LoadedRectangle> surface(const ElementVectors& tractions) const {
-        std::vector<LoadedRectangle> found;
+    std::vector<Yield::LoadedRectangle> surface(const ElementVectors& tractions) const {
+        std::vector<Yield::LoadedRectangle> found;
         for (const PatchMesh<double>& mesh : meshes_.patches) {
             for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
                 const auto i = Eigen::Index(found.size());
@@ -293,7 +293,7 @@ private:
 
     /// The temperatures of all elements, and peaks; none where the contact passes slowly.
     std::optional<Eigen::ArrayXd> heat(MeshFriction& of) const {
-        const Heating& heating = *friction_.heating;
+        const RollingFriction::Heating& heating = *friction_.heating;
         Eigen::ArrayXd found(of.work.size());
         std::vector<double> peaks;
         for (std::size_t k = 0; k < meshes_.patches.size(); ++k) {
@@ -498,7 +498,7 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
         patch.slip_work *= factor;
         patch.strip_work *= factor;
         patch.work *= factor;
-        for (LoadedRectangle& element : patch.surface) {
+        for (Yield::LoadedRectangle& element : patch.surface) {
             for (double* of : {&element.traction_x, &element.traction_y, &element.pressure}) *of *= factor;
         }
     }
