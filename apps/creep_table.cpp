@@ -50,11 +50,11 @@ Job read_job(const study::Options& options, study::OutputFiles& files) {
     options.require(ends.size() == 2 && ends[0] < ends[1], "a-over-b",
                     "be the smallest and the largest, in this order");
     const CreepForceTable::Grid::Range range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
-                                      .smallest_a_over_b = ends[0],
-                                      .largest_a_over_b = ends[1],
-                                      .shapes = options.integer("shapes", 4, 100),
-                                      .levels = static_cast<int>(options.integer("levels", 4, 64)),
-                                      .n = options.integer("n", 2, 100)};
+                                             .smallest_a_over_b = ends[0],
+                                             .largest_a_over_b = ends[1],
+                                             .shapes = options.integer("shapes", 4, 100),
+                                             .levels = static_cast<int>(options.integer("levels", 4, 64)),
+                                             .n = options.integer("n", 2, 100)};
     const Eigen::Index numbers = CreepForceTable::Grid::coefficient_count(range.levels, range.shapes);
     if (numbers > CreepForceTable::Grid::most_coefficients) {
         throw study::BadInput(

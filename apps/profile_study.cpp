@@ -355,7 +355,7 @@ void write_outlines(study::OutputFiles& files, const Settings& settings, const P
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
-        const rollbem::Outline& outline = *patch.outline;
+        const rollbem::PatchContact::Outline& outline = *patch.outline;
         std::string edges = "y,x_trailing,x_leading\n", pressures = "x,y,pressure\n";
         for (Eigen::Index i = 0; i < outline.y().size(); ++i) {
             const double y = outline.y()[left ? outline.y().size() - 1 - i : i];

@@ -16,7 +16,8 @@ using namespace rollbem;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const std::vector<Yield::LoadedRectangle> loads{{-1, 0.5, -0.7, 0.9, 0.3, -0.8, 1}, {0.5, 1.2, -0.2, 1.1, -1, 0.4, 0.5}};
+const std::vector<Yield::LoadedRectangle> loads{{-1, 0.5, -0.7, 0.9, 0.3, -0.8, 1},
+                                                {0.5, 1.2, -0.2, 1.1, -1, 0.4, 0.5}};
 
 /// Hertz's pressure of peak 1 on the unit circle, and a traction along x of mu times it.
 std::vector<Yield::LoadedRectangle> sphere(int n, double mu = 0) {

@@ -314,7 +314,7 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(status(contact(1, 0.2901), mu, load, {}) == Status::wrong_table);
     CHECK(status(contact(1, 0.25), mu, load, {}) == Status::wrong_table);
     const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(3, -1, 1), trailing = Eigen::ArrayXd::Constant(3, -1);
-    const PatchContact square(Outline(y, trailing, -trailing), modulus, 0.28);
+    const PatchContact square(PatchContact::Outline(y, trailing, -trailing), modulus, 0.28);
     CHECK(status(square, mu, load, {}) == Status::wrong_table);
 
     for (const double none : {0.0, 1.0}) {  // no friction, no load
@@ -377,8 +377,8 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     const auto grid_refused = [](double nu, double low, double high, int levels, int shapes) {
         return refusal([&] {
             CreepForceTable::Grid(nu, low, high, levels,
-                           std::vector<CreepCoefficients<double>>(static_cast<std::size_t>(shapes),
-                                                                  creep_forces::coefficients(1)));
+                                  std::vector<CreepCoefficients<double>>(static_cast<std::size_t>(shapes),
+                                                                         creep_forces::coefficients(1)));
         });
     };
     CHECK(grid_refused(0.28, 0.5, 2, 6, 4).empty());

@@ -30,7 +30,7 @@ RailPatch ellipse() { return testing::hertz_patch(a, b, load); }
 constexpr double slide = 1;  // [m/s]
 PatchForce sliding(const RollingFriction& friction, double speed = 30) {
     const WheelsetSpeeds speeds{.forward = speed - slide / 2, .pitch_rate = -(speed + slide / 2) / radius};
-    return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction);
+    return patch_force(ellipse(), {}, speeds, WheelOnRail::Dimensions{}, friction);
 }
 
 }  // namespace
@@ -80,8 +80,9 @@ TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profil
     band.pressure.setConstant(band.peak_pressure);
     band.load = 4 * a * b * band.peak_pressure;
     const RollingFriction::Heating heating;
-    const PatchForce found = patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, TrackDimensions{},
-                                         {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+    const PatchForce found =
+        patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, WheelOnRail::Dimensions{},
+                    {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
     REQUIRE(found.status == Status::ok);
     const double heat = mu * slide * band.peak_pressure;
     CHECK_THAT(found.peak_temperature,
@@ -114,7 +115,7 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     RollingFriction friction{.coefficient = mu, .elements = 8, .strips = 7, .heating = RollingFriction::Heating{}};
     const double slow = 9 * friction.heating->diffusivity() / a;
     const WheelsetSpeeds speeds{.forward = slow * 0.99, .pitch_rate = -slow * 1.01 / radius};
-    const auto of = [&] { return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction); };
+    const auto of = [&] { return patch_force(ellipse(), {}, speeds, WheelOnRail::Dimensions{}, friction); };
     CHECK(of().status == Status::ok);
     CHECK(std::isnan(of().peak_temperature));
     friction.heating->friction = {0.1, 0, 100};
@@ -125,7 +126,7 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     friction.heating->friction.reset();
     for (const double creepage : {0.15, 0.3}) {
         const WheelsetSpeeds slips{.forward = 30 * (1 - creepage / 2), .pitch_rate = -30 * (1 + creepage / 2) / radius};
-        const PatchForce found = patch_force(ellipse(), {}, slips, TrackDimensions{}, friction);
+        const PatchForce found = patch_force(ellipse(), {}, slips, WheelOnRail::Dimensions{}, friction);
         CHECK(std::isnan(found.peak_temperature) == (creepage > 0.2));
     }
 }

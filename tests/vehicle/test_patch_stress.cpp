@@ -3,8 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include <rollbem/scene/detail/mirror.hpp>
 #include <rollbem/vehicle/patch_stress.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/normal/detail/mirrored_patch.hpp>
 
 #include "support/catch.hpp"
 #include "vehicle/hertz_patch.hpp"
@@ -19,7 +21,7 @@ namespace {
 
 PatchForce rolling(const RailPatch& patch, double mu,
                    const WheelsetSpeeds& speeds = {20, -20.2 / 0.46, 0.05, 0, 0, 0.1}) {
-    return patch_force(patch, {}, speeds, TrackDimensions{}, {.coefficient = mu, .elements = 12, .strips = 11});
+    return patch_force(patch, {}, speeds, WheelOnRail::Dimensions{}, {.coefficient = mu, .elements = 12, .strips = 11});
 }
 
 }  // namespace
@@ -29,9 +31,8 @@ TEST_CASE("The stress below a ball without friction agrees with Hertz's on the a
     const RailPatch patch = testing::hertz_patch(a, a, 8e4);
     const std::vector<Yield::Peak> strips = stresses_below(rolling(patch, 0), nu);
     REQUIRE(strips.size() == 11);
-    const auto worst = std::max_element(strips.begin(), strips.end(), [](const auto& one, const auto& other) {
-        return one.tresca < other.tresca;
-    });
+    const auto worst = std::max_element(strips.begin(), strips.end(),
+                                        [](const auto& one, const auto& other) { return one.tresca < other.tresca; });
     double largest = 0, depth = 0;  // Johnson 1985, Eq. (3.45)
     for (double z = 0.1; z < 2; z += 1e-3) {
         const double along = -1 / (1 + z * z), around = -(1 + nu) * (1 - z * std::atan(1 / z)) - along / 2;
@@ -48,7 +49,7 @@ TEST_CASE("Stresses below a mirror image are mirror images, and grow with fricti
     const RailPatch patch = testing::hertz_patch(4e-3, 6e-3, 8e4);
     const PatchForce friction = rolling(patch, 0.4);
     const std::vector<Yield::Peak> own = stresses_below(friction, 0.28);
-    for (const Mirror& mirror : {Mirror::reversing_x(), Mirror::across_track()}) {
+    for (const detail::Mirror& mirror : {detail::Mirror::reversing_x(), detail::Mirror::across_track()}) {
         const std::vector<Yield::Peak> image = stresses_below(mirrored(friction, mirror), 0.28);
         const auto [x, y, z] = mirror.of_vector();
         REQUIRE(image.size() == own.size());

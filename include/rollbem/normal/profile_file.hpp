@@ -42,8 +42,8 @@ struct ProfileFile {
     struct Placing {
         std::optional<double> cant{};  ///< inward turn [rad]; 0 for a profile that is canted already; 1:40 without it
         double roller_radius = 0;      ///< [m] from the axle to the profile's z = 0; 0: a rail
-        /// Whether the profile is turned about its origin, in the sense of TrackDimensions::rail_origin. Otherwise a
-        /// standard rail has its origin at its highest point, turned or not.
+        /// Whether the profile is turned about its origin, in the sense of WheelOnRail::Dimensions::rail_origin.
+        /// Otherwise a standard rail has its origin at its highest point, turned or not.
         bool by_origin = false;
     };
 

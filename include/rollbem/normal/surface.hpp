@@ -31,7 +31,7 @@ namespace rollbem {
 ///     const Profile high = rail_60e1();
 ///     const Sections rail({{0, high}, {1, high.moved(0, 0, 0.5e-3)}, {2, high.moved(0, 0, 1e-3)}},
 ///                         Sections::Interpolation::through);
-///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}});
 ///     WheelOnRail::Workspace workspace;
 ///     const auto height = [&](double x) { return wheel.solve_for_load({.along = x}, 80e3, workspace).height; };
 ///     const double sinks = height(1.5) - height(0.5);  // by 0.5 mm
@@ -157,7 +157,7 @@ private:
 /// int main() {
 ///     using namespace rollbem;
 ///     const RailSurface roller = RailSurface::roller(rail_60e1(0), 0.5);
-///     const WheelOnRail wheel(s1002(), roller, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     const WheelOnRail wheel(s1002(), roller, {.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}});
 ///     WheelOnRail::Workspace workspace;
 ///     return has_numbers(wheel.solve_for_load({}, 80e3, workspace).status) ? 0 : 1;
 /// }

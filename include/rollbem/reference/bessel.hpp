@@ -28,25 +28,6 @@ std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, dou
 /// std::invalid_argument unless count > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect);
 
-/// Exact traction p/(G xi) under creepage xi e^{s V t/a}: (sum p_n T_n(x))/sqrt(1-x^2) with p_0 = -(I0+I1)/(2(1-nu) D)
-/// and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing edge.
-class ExactTraction {
-public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument
-    /// unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and either Lambda > 0 or s = 0.
-    ExactTraction(std::complex<double> s, double poisson_ratio, double aspect);
-
-    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    std::complex<double> operator()(double x_over_a) const;
-
-    /// c11 = -F/(a G xi) from the mean of the traction, F = pi p_0.
-    std::complex<double> c11() const { return c11_; }
-
-private:
-    std::complex<double> c11_;
-    std::vector<detail::Complex> coefficients_;  ///< coefficients of T_n, n = 0, 1, ...
-};
-
 /// Inverse Laplace transform at q > 0 by de Hoog, Knight and Stokes' accelerated Fourier series (SIAM J. Sci. Stat.
 /// Comput. 3, 1982). `transform` maps std::complex<long double> to the same type; all its singularities lie in
 /// Re s <= 0. Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q). Throws std::invalid_argument unless 0 < q < inf and

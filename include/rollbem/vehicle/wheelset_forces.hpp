@@ -118,8 +118,6 @@ struct PatchForce {
     Status status = Status::not_finite;
 };
 
-PatchForce mirrored(PatchForce friction, const Mirror& mirror);
-
 struct WheelsetForces {
     /// A force [N] and its moment [N m] in track axes (x, y, z).
     struct Wrench {
@@ -149,22 +147,21 @@ struct WheelsetForces {
     double peak_pressure() const;
 };
 
-WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror);
-
 /// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
 /// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
 /// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
 /// compliance of the layer are finite and not negative, and numbers of heating can be meant.
 std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                     const WheelsetSpeeds& speeds, const WheelOnRail::Dimensions& dimensions,
                                      const RollingFriction& friction);
 /// The same for each of several motions, in their order; elements of a plane are assembled once for motions forward.
 std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                                   const std::vector<WheelsetSpeeds>& motions,
-                                                  const TrackDimensions& dimensions, const RollingFriction& friction);
+                                                  const WheelOnRail::Dimensions& dimensions,
+                                                  const RollingFriction& friction);
 inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
-                              const TrackDimensions& dimensions, const RollingFriction& friction) {
+                              const WheelOnRail::Dimensions& dimensions, const RollingFriction& friction) {
     return patch_forces({patch}, at, speeds, dimensions, friction)[0];
 }
 

@@ -245,7 +245,7 @@ ROLLBEM_DECL Profile extended(const Profile& profile, double length) {
 }
 
 ROLLBEM_DECL Profile::Alignment align(const Profile& profile, const Profile& reference,
-                             const std::vector<std::array<double, 2>>& parts, bool turns) {
+                                      const std::vector<std::array<double, 2>>& parts, bool turns) {
     detail::require(!parts.empty(), "align", "number of parts", parts.size(), "be at least 1");
     for (const auto& [from, to] : parts)
         detail::require(from < to, "align", "end of a part", to, "lie above its begin");

@@ -110,7 +110,7 @@ bool is_resolved(const PatchContact& contact, const PatchMesh<Scalar>& mesh) {
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 MatrixX<Scalar> distances_from_limits(const PatchContact& contact, const Scheme& scheme, const Kernel& kernel,
                                       const MatrixX<Scalar>& own) {
-    const Outline* const outline = contact.outline();
+    const PatchContact::Outline* const outline = contact.outline();
     const Scalar order = outline ? Scalar(1.5) : Scalar(2);  // corners leave less than the second
     const auto on = [&](Eigen::Index n) -> MatrixX<Scalar> {
         const Mesh<Scalar> across =

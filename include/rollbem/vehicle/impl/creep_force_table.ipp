@@ -23,7 +23,7 @@
 namespace rollbem {
 
 ROLLBEM_DECL CreepForceTable::Grid::Grid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b,
-                                            int levels, std::vector<CreepCoefficients<double>> coefficients)
+                                         int levels, std::vector<CreepCoefficients<double>> coefficients)
     : nu_(poisson_ratio),
       smallest_(smallest_a_over_b),
       largest_(largest_a_over_b),
@@ -393,8 +393,8 @@ struct CreepForceTable::Splines {
     }
 
     auto rest_correction(const Ellipse& on) const noexcept -> RestCorrection {
-        const double step =
-            CreepForceTable::Grid::saturation_scale / static_cast<double>(table.n_);  // step of X for one level, at rest
+        const double step = CreepForceTable::Grid::saturation_scale /
+                            static_cast<double>(table.n_);  // step of X for one level, at rest
         Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
         for (Eigen::Index k = 0; k < 4; ++k) {
             const Eigen::Array<double, 7, 1> of = table.at_rest_.col(on.cell + k).template head<7>();
@@ -468,7 +468,8 @@ struct CreepForceTable::Splines {
                      stiffness = contact.shear_modulus * c * c;
         const Ellipse on = ellipse(contact.half_length / contact.half_width);
         const Eigen::Array3d w = linear_law(on.linear, c, creepage);
-        const CreepForceTable::Grid::Stretch stretch = CreepForceTable::Grid::stretch(bound / stiffness, w.matrix().stableNorm());
+        const CreepForceTable::Grid::Stretch stretch =
+            CreepForceTable::Grid::stretch(bound / stiffness, w.matrix().stableNorm());
         if (std::isinf(stretch.factor)) return {0, 0, 0};
         const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(table.n_));
         if (!detail::is_finite(u.sum())) return {u.sum(), u.sum(), u.sum()};
@@ -589,7 +590,8 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceTable::Grid grid)
     coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * Splines{*this}.per_shape()) * Splines::width);
 }
 
-ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceTable::Grid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
+ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceTable::Grid grid,
+                                              const Eigen::Ref<const Eigen::Array3Xd>& forces)
     : CreepForceTable(std::move(grid)) {
     const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
     detail::require(forces.cols() == nodes * shapes, Splines::name, "number of forces", forces.cols(),
@@ -678,7 +680,8 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(std::istream& stream) {
     for (CreepCoefficients<double>& c : coefficients) {
         for (double* value : {&c.c11, &c.c22, &c.c23, &c.c32, &c.c33}) *value = reader.number();
     }
-    CreepForceTable table(CreepForceTable::Grid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
+    CreepForceTable table(
+        CreepForceTable::Grid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
     for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
         if (i % Splines::width == 3) continue;
         const float value = reader.single();

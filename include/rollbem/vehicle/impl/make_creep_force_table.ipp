@@ -116,7 +116,7 @@ ROLLBEM_DECL CreepForceTable::Grid make_creep_force_grid(const CreepForceTable::
     std::vector<CreepCoefficients<double>> coefficients(static_cast<std::size_t>(range.shapes));
     detail::parallel_for(coefficients.size(), jobs, [&](std::size_t i) {
         const double a_over_b = CreepForceTable::Grid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
-                                                            range.smallest_a_over_b, range.largest_a_over_b);
+                                                                   range.smallest_a_over_b, range.largest_a_over_b);
         CreepForceTable::Source source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
         // under a spin so large that both meshes count

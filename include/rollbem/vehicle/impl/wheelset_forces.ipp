@@ -18,15 +18,19 @@
 #include "../../elasticity/patch_kernel.hpp"
 #include "../../friction/model.hpp"
 #include "../../normal/detail/finite_position.hpp"
+#include "../../normal/detail/mirrored_patch.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../detail/free_pitch_rate.hpp"
+#include "../detail/mirrored_forces.hpp"
 #include "../detail/patch_elements.hpp"
 #include "../detail/slip_velocity.hpp"
 
 namespace rollbem {
 
 ROLLBEM_DECL Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat,
-                                              const Eigen::ArrayXd& at, double speed, const RollingFriction::Heating& heating) {
+                                              const Eigen::ArrayXd& at, double speed,
+                                              const RollingFriction::Heating& heating) {
     const double factor = std::sqrt(heating.diffusivity() / (std::numbers::pi * speed)) / heating.conductivity;
     const auto root = [](double x) { return std::sqrt((std::max)(x, 0.0)); };
     Eigen::ArrayXd found = Eigen::ArrayXd::Zero(at.size());
@@ -61,25 +65,6 @@ ROLLBEM_DECL double RollingFriction::OnRail::at(double angle, double y) const {
     return detail::linear_between(nodes_, coefficients_, place);
 }
 
-ROLLBEM_DECL PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
-    friction.creepage = mirrored(friction.creepage, mirror);
-    friction.force = mirrored(friction.force, mirror);
-    const auto [x, y, z] = mirror.of_vector();
-    if (y < 0) {
-        friction.edges = -friction.edges.reverse().eval();
-        friction.strip_work = friction.strip_work.reverse().eval();
-    }
-    for (Yield::LoadedRectangle& element : friction.surface) {
-        if (x < 0)
-            element = {-element.x_2,        -element.x_1,       element.y_1,     element.y_2,
-                       -element.traction_x, element.traction_y, element.pressure};
-        if (y < 0)
-            element = {element.x_1,        element.x_2,         -element.y_2,    -element.y_1,
-                       element.traction_x, -element.traction_y, element.pressure};
-    }
-    return friction;
-}
-
 ROLLBEM_DECL WheelsetForces::Wrench WheelsetForces::Wrench::at(const std::array<double, 3>& arm,
                                                                const std::array<double, 3>& force) {
     WheelsetForces::Wrench wrench{.force = force};
@@ -98,14 +83,6 @@ ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const WheelsetForces::Wrenc
     return *this;
 }
 
-ROLLBEM_DECL WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        wrench.force[i] *= mirror.of_vector()[i];
-        wrench.moment[i] *= mirror.of_turn()[i];
-    }
-    return wrench;
-}
-
 }  // namespace rollbem
 
 namespace rollbem::detail {
@@ -115,7 +92,7 @@ struct RollingPatches {
     std::vector<const RailPatch*> patches;
     const WheelsetPosition& at;
     const WheelsetSpeeds& speeds;
-    const TrackDimensions& dimensions;
+    const WheelOnRail::Dimensions& dimensions;
 
     Creepage creepage(std::size_t k) const { return creepage_of(*patches[k], at, speeds, dimensions.radius); }
 };
@@ -180,7 +157,8 @@ struct PatchTemperatures {
 };
 
 inline PatchTemperatures temperatures_of(const std::vector<PatchMesh<double>::Rectangle>& elements, Eigen::Index along,
-                                         const Eigen::ArrayXd& work, double speed, const RollingFriction::Heating& heating) {
+                                         const Eigen::ArrayXd& work, double speed,
+                                         const RollingFriction::Heating& heating) {
     PatchTemperatures found{Eigen::ArrayXd(work.size()), 0};
     for (Eigen::Index first = 0; first < work.size(); first += along) {
         Eigen::ArrayXd edges(along + 1), heat(along);
@@ -353,7 +331,7 @@ inline std::vector<PatchForce> friction_on(const AssembledMesh& assembled_mesh, 
 /// Friction on the patches of one plane under several motions, which may also roll backwards or stand still.
 class PlaneFriction {
 public:
-    PlaneFriction(std::vector<RailPatch> patches, const WheelsetPosition& at, const TrackDimensions& dimensions,
+    PlaneFriction(std::vector<RailPatch> patches, const WheelsetPosition& at, const WheelOnRail::Dimensions& dimensions,
                   const RollingFriction& friction)
         : patches_(std::move(patches)),
           at_(at),
@@ -404,7 +382,7 @@ public:
 private:
     const std::vector<RailPatch> patches_;
     const WheelsetPosition at_;
-    const TrackDimensions& dimensions_;
+    const WheelOnRail::Dimensions& dimensions_;
     const RollingFriction& friction_;
     PatchContact contact_;
     std::vector<PatchElements> elements_;
@@ -437,7 +415,7 @@ namespace rollbem {
 ROLLBEM_DECL std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches,
                                                                const WheelsetPosition& at,
                                                                const std::vector<WheelsetSpeeds>& motions,
-                                                               const TrackDimensions& dimensions,
+                                                               const WheelOnRail::Dimensions& dimensions,
                                                                const RollingFriction& friction) {
     detail::require_valid(friction);
     std::vector<std::vector<PatchForce>> found(motions.size(), std::vector<PatchForce>(patches.size()));
@@ -454,7 +432,8 @@ ROLLBEM_DECL std::vector<std::vector<PatchForce>> patch_forces(const std::vector
 }
 
 ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                                  const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                                  const WheelsetSpeeds& speeds,
+                                                  const WheelOnRail::Dimensions& dimensions,
                                                   const RollingFriction& friction) {
     return patch_forces(patches, at, std::vector{speeds}, dimensions, friction)[0];
 }
