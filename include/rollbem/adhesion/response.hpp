@@ -14,6 +14,7 @@
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
+#include "detail/factorised.hpp"
 
 namespace rollbem {
 

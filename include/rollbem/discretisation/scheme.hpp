@@ -139,6 +139,14 @@ SchemeRows<Scalar> rows_about(const Mesh<Scalar>& mesh, double alpha_L, double a
 template <class Scalar>
 SchemeRows<Scalar> rows_between(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to);
 
+namespace detail {
+
+// Throws std::invalid_argument if rows do not meet the requirements of SchemeRows.
+template <class Scalar>
+void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index n);
+
+}  // namespace detail
+
 /// The rows of a scheme on a mesh, of G or G'. Throws std::invalid_argument if the scheme does not fit the mesh, or its
 /// rows do not meet the requirements of SchemeRows.
 template <class Scalar, RollingScheme<Scalar> Scheme>

@@ -182,6 +182,33 @@ private:
 template <class Scalar>
 RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral);
 
+namespace detail {
+
+/// Blocks of ElementSystem<Scalar, 2>.
+template <class Scalar>
+using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
+
+/// Throws std::invalid_argument unless the blocks are n x n and finite, or, off the diagonal, both empty.
+template <class Scalar>
+void require_blocks(const char* who, const char* name, const DirectionBlocks<Scalar>& blocks, Eigen::Index n);
+
+/// [xx xy; yx yy], with zeros for empty blocks.
+template <class Scalar>
+MatrixX<Scalar> joined(const DirectionBlocks<Scalar>& blocks);
+
+/// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
+/// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
+/// where the points are not known.
+template <class Scalar>
+MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements);
+
+/// F_x, F_y and the moment about the origin M_z = int (x p_y - y p_x), per traction: 2n x 3, by areas and centres. The
+/// moment is zero where the centres are not known.
+template <class Scalar>
+MatrixX<Scalar> force_weights(const Elements<Scalar>& elements);
+
+}  // namespace detail
+
 /// Elements with tractions in both directions, of a line (two uncoupled systems) or of a patch: s/V = rigid slip - G' p
 /// + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
 ///
@@ -193,7 +220,7 @@ public:
     using Scalar = Scalar_;
     /// Blocks of G or G': entry [d][e] is n x n, from tractions along e to d; 0 is longitudinal (x), 1 lateral (y).
     /// Blocks with d != e are empty (0 x 0) where the directions do not couple.
-    using Blocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
+    using Blocks = detail::DirectionBlocks<Scalar>;
 
     /// Takes ready blocks. Throws std::invalid_argument if they break the invariant.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements);

@@ -39,10 +39,6 @@ Scalar sine_of_quarters(Eigen::Index k, Eigen::Index n);
 template <class Scalar>
 void require_cosine_mesh(const char* who, const Mesh<Scalar>& mesh);
 
-// Throws std::invalid_argument if rows do not meet the requirements of SchemeRows.
-template <class Scalar>
-void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index n);
-
 }  // namespace rollbem::detail
 
 namespace rollbem {

@@ -182,4 +182,15 @@ Response<Scalar> solve_steady(const PatchContact& contact, const PatchMesh<Scala
     return response;
 }
 
+inline TangentialForce creep_force(const PatchContact& contact, const Response<double>& steady,
+                                   const Creepage& creepage) {
+    const double a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
+    const MatrixX<double>& c = steady.coefficients;
+    detail::require(c.cols() == 3, "creep_force", "number of creepages", c.cols(), "be 3");
+    const auto force = [&](Eigen::Index i) {
+        return scale * (c(i, 0) * creepage.longitudinal + c(i, 1) * creepage.lateral + c(i, 2) * (creepage.spin * a));
+    };
+    return {force(0), force(1), a * force(2)};
+}
+
 }  // namespace rollbem

@@ -27,35 +27,12 @@ namespace rollbem::detail {
 template <class System>
 void require_G(const char* who, const System& system);
 
-/// Blocks of ElementSystem<Scalar, 2>.
-template <class Scalar>
-using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
-
-/// Throws std::invalid_argument unless the blocks are n x n and finite, or, off the diagonal, both empty.
-template <class Scalar>
-void require_blocks(const char* who, const char* name, const DirectionBlocks<Scalar>& blocks, Eigen::Index n);
-
 /// The blocks of uncoupled directions.
 template <class Scalar>
 DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral);
 
-/// [xx xy; yx yy], with zeros for empty blocks.
-template <class Scalar>
-MatrixX<Scalar> joined(const DirectionBlocks<Scalar>& blocks);
-
 template <class Scalar>
 void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint);
-
-/// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
-/// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
-/// where the points are not known.
-template <class Scalar>
-MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements);
-
-/// F_x, F_y and the moment about the origin M_z = int (x p_y - y p_x), per traction: 2n x 3, by areas and centres. The
-/// moment is zero where the centres are not known.
-template <class Scalar>
-MatrixX<Scalar> force_weights(const Elements<Scalar>& elements);
 
 }  // namespace rollbem::detail
 
