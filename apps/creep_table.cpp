@@ -30,12 +30,12 @@
 
 namespace {
 
-using rollbem::CreepForceGrid, rollbem::CreepForceTable, rollbem::Creepage;
+using rollbem::CreepForceTable, rollbem::Creepage;
 
 /// What is asked for: the grid, from how many elements forces on it come, and in how many scenes they are checked.
 struct Job {
     std::ptrdiff_t n;
-    CreepForceGrid grid;
+    CreepForceTable::Grid grid;
     study::Threads threads;
     study::OutputFile* binary;  ///< the file of the table; none where rows alone are wanted
     std::size_t scenes;
@@ -49,18 +49,18 @@ Job read_job(const study::Options& options, study::OutputFiles& files) {
     const std::vector<double> ends = options.numbers("a-over-b", study::between(1e-3, 1e3));
     options.require(ends.size() == 2 && ends[0] < ends[1], "a-over-b",
                     "be the smallest and the largest, in this order");
-    const CreepForceGrid::Range range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
-                                      .smallest_a_over_b = ends[0],
-                                      .largest_a_over_b = ends[1],
-                                      .shapes = options.integer("shapes", 4, 100),
-                                      .levels = static_cast<int>(options.integer("levels", 4, 64)),
-                                      .n = options.integer("n", 2, 100)};
-    const Eigen::Index numbers = CreepForceGrid::coefficient_count(range.levels, range.shapes);
-    if (numbers > CreepForceGrid::most_coefficients) {
+    const CreepForceTable::Grid::Range range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
+                                             .smallest_a_over_b = ends[0],
+                                             .largest_a_over_b = ends[1],
+                                             .shapes = options.integer("shapes", 4, 100),
+                                             .levels = static_cast<int>(options.integer("levels", 4, 64)),
+                                             .n = options.integer("n", 2, 100)};
+    const Eigen::Index numbers = CreepForceTable::Grid::coefficient_count(range.levels, range.shapes);
+    if (numbers > CreepForceTable::Grid::most_coefficients) {
         throw study::BadInput(
             options.said("levels") + ", " + options.said("shapes") +
             " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " + std::to_string(numbers) +
-            " coefficients, which must be at most " + std::to_string(CreepForceGrid::most_coefficients));
+            " coefficients, which must be at most " + std::to_string(CreepForceTable::Grid::most_coefficients));
     }
     std::error_code unknown;
     const std::string output = options.text("output");
@@ -97,9 +97,9 @@ study::Row node_cells(const CreepForceTable::Source& source, const Creepage& v) 
 }
 
 /// Rows of a slab; their forces go into the columns of `forces`.
-void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange range, const study::Emit& emit,
+void emit_slab(const Job& job, const CreepForceTable::Grid::Slab& slab, study::RowRange range, const study::Emit& emit,
                Eigen::Array3Xd& forces) {
-    const CreepForceGrid& grid = job.grid;
+    const CreepForceTable::Grid& grid = job.grid;
     CreepForceTable::Source source = job.source(slab.shape);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
                        last = slab.first + static_cast<Eigen::Index>(range.last);
@@ -124,7 +124,7 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
 study::Table table_of(const Job& job, Eigen::Array3Xd& forces) {
     study::Table table;
     table.columns = columns;
-    const std::vector<CreepForceGrid::Slab> slabs = job.grid.slabs();
+    const std::vector<CreepForceTable::Grid::Slab> slabs = job.grid.slabs();
     for (const auto& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
     table.label = [&job, slabs](std::size_t task) {
         return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
@@ -137,7 +137,7 @@ study::Table table_of(const Job& job, Eigen::Array3Xd& forces) {
 
 /// The forces of rows, which must cover the whole grid.
 Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
-    const CreepForceGrid& grid = job.grid;
+    const CreepForceTable::Grid& grid = job.grid;
     Eigen::Array3Xd forces(3, job.nodes());
     std::optional<CreepForceTable::Source> source;
     for (Eigen::Index column = 0; column < forces.cols(); ++column) {

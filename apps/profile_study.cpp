@@ -75,11 +75,11 @@ struct Found {
         return patch() != nullptr && settings.friction ? &contacts.of.patches[std::size_t(side)][*number] : nullptr;
     }
     /// The strip with the largest measure, none where stresses are not known.
-    const rollbem::Yield::Peak* strip(double rollbem::Yield::*measure) const {
+    const rollbem::Yield::Peak* strip(double rollbem::Yield::Peak::*measure) const {
         if (solved() == nullptr || contacts.stresses[std::size_t(side)].empty()) return nullptr;
         const auto& strips = contacts.stresses[std::size_t(side)][*number];
         const auto worst = std::max_element(strips.begin(), strips.end(), [&](const auto& one, const auto& other) {
-            return one.largest.*measure < other.largest.*measure;
+            return one.*measure < other.*measure;
         });
         return worst == strips.end() ? nullptr : &*worst;
     }
@@ -99,11 +99,11 @@ using Columns = std::vector<study::Column<Found>>;
 /// The largest measures below a patch, where they lie, and its place in the map of shakedown.
 Columns stress_columns() {
     using rollbem::Yield;
-    const auto peak = [](double Yield::*measure, double Yield::Peak::*depth) {
+    const auto peak = [](double Yield::Peak::*measure, double Yield::Peak::*depth) {
         return [=](const Found& f) {
             const rollbem::Yield::Peak* strip = f.strip(measure);
             if (strip == nullptr) return study::Cell();
-            return study::Cell(depth == nullptr ? strip->largest.*measure : strip->*depth);
+            return study::Cell(depth == nullptr ? strip->*measure : strip->*depth);
         };
     };
     const auto shakedown = [](double rollbem::Yield::Shakedown::*value) {
@@ -113,10 +113,10 @@ Columns stress_columns() {
     };
     return {
         {"max_von_mises", "with --stress: largest von Mises stress in the rail below the patch [Pa]",
-         peak(&Yield::von_mises, nullptr)},
-        {"von_mises_depth", "depth of that stress [m]", peak(&Yield::von_mises, &Yield::Peak::von_mises_depth)},
-        {"max_tresca", "largest shear stress, by Tresca [Pa]", peak(&Yield::tresca, nullptr)},
-        {"tresca_depth", "depth of that stress [m]", peak(&Yield::tresca, &Yield::Peak::tresca_depth)},
+         peak(&Yield::Peak::von_mises, nullptr)},
+        {"von_mises_depth", "depth of that stress [m]", peak(&Yield::Peak::von_mises, &Yield::Peak::von_mises_depth)},
+        {"max_tresca", "largest shear stress, by Tresca [Pa]", peak(&Yield::Peak::tresca, nullptr)},
+        {"tresca_depth", "depth of that stress [m]", peak(&Yield::Peak::tresca, &Yield::Peak::tresca_depth)},
         {"shakedown_load", "load factor of the map of shakedown: peak pressure over --shear-yield",
          shakedown(&rollbem::Yield::Shakedown::load_factor)},
         {"shakedown_traction", "traction coefficient of the map of shakedown: force of friction over the normal force",
@@ -355,7 +355,7 @@ void write_outlines(study::OutputFiles& files, const Settings& settings, const P
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
-        const rollbem::Outline& outline = *patch.outline;
+        const rollbem::PatchContact::Outline& outline = *patch.outline;
         std::string edges = "y,x_trailing,x_leading\n", pressures = "x,y,pressure\n";
         for (Eigen::Index i = 0; i < outline.y().size(); ++i) {
             const double y = outline.y()[left ? outline.y().size() - 1 - i : i];
@@ -382,7 +382,7 @@ void write_stresses(study::OutputFile& file, const Settings& settings, const Pos
         if (number >= patches.size()) return;
         for (const rollbem::Yield::Peak& peak : patches[number]) {
             file.write(study::csv_line({at + 1, left ? "left" : "right", number + 1, (left ? -1 : 1) * peak.y, peak.x,
-                                        peak.von_mises_depth, peak.largest.von_mises, peak.largest.tresca}));
+                                        peak.von_mises_depth, peak.von_mises, peak.tresca}));
         }
     });
 }

@@ -17,7 +17,7 @@
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/bessel.hpp>
 #include <rollbem/rolling/run.hpp>
 
 #include "support/non_steady.hpp"

@@ -144,7 +144,7 @@ void BM_PatchCreepCurve(benchmark::State& state) {
 void BM_CreepTable(benchmark::State& state) {
     constexpr int shapes = 13, levels = 19;
     const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
-    const CreepForceGrid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
+    const CreepForceTable::Grid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
     Eigen::Array3Xd forces(3, grid.nodes() * shapes);
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         const Eigen::Index shape = i / grid.nodes();

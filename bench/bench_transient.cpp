@@ -9,7 +9,7 @@
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 namespace {

@@ -210,7 +210,7 @@ static int look_up(const char* who, const CreepForceTable& table, const double* 
     found = table.look_up(PatchContact({contact[0], contact[1], contact[2], contact[3]}), contact[4], contact[5],
                           creepage_from(contact + 6));
     if (found.status != Status::ok || found.a_over_b_on_table) return outcome(who, found.status);
-    const CreepForceGrid& grid = table.grid();
+    const CreepForceTable::Grid& grid = table.grid();
     return failed(std::string(who) + ": a/b = " + detail::to_text(contact[0] / contact[1]) +
                       " lies beyond the table, " + detail::to_text(grid.smallest_a_over_b()) + " to " +
                       detail::to_text(grid.largest_a_over_b()) + ": its border gives the forces",
@@ -475,15 +475,16 @@ namespace {
 /// Dimensions of a track in the order of rollbem_wheel_new().
 struct Dimension {
     double rollbem_wheel_options::*option;
-    double TrackDimensions::*of;
+    double WheelOnRail::Dimensions::*of;
 };
-constexpr Dimension dimensions_of_tracks[] = {{&rollbem_wheel_options::gauge, &TrackDimensions::gauge},
-                                              {&rollbem_wheel_options::gauge_depth, &TrackDimensions::gauge_depth},
-                                              {&rollbem_wheel_options::flange_back, &TrackDimensions::flange_back},
-                                              {&rollbem_wheel_options::tape_offset, &TrackDimensions::tape_offset},
-                                              {&rollbem_wheel_options::radius, &TrackDimensions::radius},
-                                              {&rollbem_wheel_options::shear_modulus, &TrackDimensions::shear_modulus},
-                                              {&rollbem_wheel_options::poisson_ratio, &TrackDimensions::poisson_ratio}};
+constexpr Dimension dimensions_of_tracks[] = {
+    {&rollbem_wheel_options::gauge, &WheelOnRail::Dimensions::gauge},
+    {&rollbem_wheel_options::gauge_depth, &WheelOnRail::Dimensions::gauge_depth},
+    {&rollbem_wheel_options::flange_back, &WheelOnRail::Dimensions::flange_back},
+    {&rollbem_wheel_options::tape_offset, &WheelOnRail::Dimensions::tape_offset},
+    {&rollbem_wheel_options::radius, &WheelOnRail::Dimensions::radius},
+    {&rollbem_wheel_options::shear_modulus, &WheelOnRail::Dimensions::shear_modulus},
+    {&rollbem_wheel_options::poisson_ratio, &WheelOnRail::Dimensions::poisson_ratio}};
 
 rollbem_wheel_options default_options() {
     rollbem_wheel_options options{};
@@ -491,7 +492,7 @@ rollbem_wheel_options default_options() {
     options.interaction = 1;
     options.per_metre = 1;
     options.cant = detail::usual_cant;
-    for (const auto& [option, of] : dimensions_of_tracks) options.*option = TrackDimensions{}.*of;
+    for (const auto& [option, of] : dimensions_of_tracks) options.*option = WheelOnRail::Dimensions{}.*of;
     return options;
 }
 
@@ -537,7 +538,7 @@ rollbem_wheel* rollbem_wheel_new(const double* wheel, size_t wheel_points, const
             const Eigen::Map<const Eigen::Array2Xd> of(points, 2, static_cast<Eigen::Index>(count));
             return Profile(of.row(0), of.row(1));
         };
-        TrackDimensions track;
+        WheelOnRail::Dimensions track;
         for (const Dimension& one : dimensions_of_tracks) {
             if (dimensions != nullptr) track.*one.of = *dimensions++;
         }
@@ -561,9 +562,9 @@ rollbem_wheel* rollbem_wheel_open(const char* wheel_path, const char* rail_path,
     return made(__func__, {}, [&](const char* who) {
         const rollbem_wheel_options o = options_from(who, options);
         const bool any_shape = o.any_shape != 0, by_origin = o.by_origin != 0;
-        TrackDimensions track;
+        WheelOnRail::Dimensions track;
         for (const auto& [option, of] : dimensions_of_tracks) track.*of = o.*option;
-        if (by_origin) track.rail_origin = TrackDimensions::Origin{o.rail_origin[0], o.rail_origin[1]};
+        if (by_origin) track.rail_origin = WheelOnRail::Dimensions::Origin{o.rail_origin[0], o.rail_origin[1]};
         const auto wheel_name = path_of(wheel_path != nullptr ? wheel_path : "s1002"),
                    rail_name = path_of(rail_path != nullptr ? rail_path : "60e1");
         const auto cant = o.cant != detail::usual_cant ? std::optional(o.cant) : std::nullopt;

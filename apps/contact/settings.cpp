@@ -44,7 +44,7 @@ void require_fit(const study::Options& options, const rollbem::WheelsetOnTrack& 
 }
 
 Scene read_scene(const study::Options& options) {
-    const rollbem::TrackDimensions dimensions = profile::read_dimensions(options);
+    const rollbem::WheelOnRail::Dimensions dimensions = profile::read_dimensions(options);
     rollbem::WheelsetOnTrack wheelset = profile::read_wheelset(options, dimensions);
     for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
         const auto& geometry = wheelset.wheel(side).geometry();

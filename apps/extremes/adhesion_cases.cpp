@@ -19,7 +19,6 @@
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 #include <rollbem/steady/steady.hpp>

@@ -56,7 +56,7 @@ Profile rough(const Profile& profile, Random& random) {
 
 /// The rail as a roller of 100 km, whose contacts equal contacts on the rail, but are searched in slices.
 WheelOnRail rolled(const WheelOnRail& of) {
-    TrackDimensions dimensions = of.dimensions();
+    WheelOnRail::Dimensions dimensions = of.dimensions();
     dimensions.rail_origin = of.geometry().rail_origin();
     return {of.wheel(), RailSurface::roller(of.rail(), 1e5), dimensions};
 }

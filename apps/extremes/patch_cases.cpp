@@ -111,7 +111,7 @@ void add_outlines(Cases& cases) {
                 return ArrayX<double>(Eigen::Map<const ArrayX<double>>(from.data(), Index(from.size())));
             };
             const auto outlined = [&](const ArrayX<double>& behind, const ArrayX<double>& ahead) {
-                return PatchContact(rollbem::Outline(array(y), behind, ahead), 1, steel);
+                return PatchContact(rollbem::PatchContact::Outline(array(y), behind, ahead), 1, steel);
             };
             const Outcome other = coefficient(outlined(-array(leading), -array(trailing)), 16, 16, c11, 1, 0);
             return coefficient(outlined(array(trailing), array(leading)), 16, 16, c11, other.value, bound);

@@ -333,7 +333,7 @@ private:
         require_inputs();
         require(table_->fits(poisson_ratio_), "poisson_ratio", poisson_ratio_,
                 "be within 0.01 of " + to_text(table_->grid().poisson_ratio()) + " of the table");
-        const CreepForceGrid& grid = table_->grid();
+        const CreepForceTable::Grid& grid = table_->grid();
         const double a_over_b = ellipse_->contact().a_over_b();
         require(a_over_b >= grid.smallest_a_over_b() && a_over_b <= grid.largest_a_over_b(), "a/b of the contact",
                 a_over_b, "lie in [" + range_of_table(", ") + "] of the table");

@@ -23,7 +23,7 @@ namespace {
 using study::array, study::Numbers;
 using Contact = rollbem::PatchContact;
 using Mesh = rollbem::Mesh<double>;
-using Outline = rollbem::Outline;
+using Outline = rollbem::PatchContact::Outline;
 
 constexpr std::ptrdiff_t most_elements = 10000;
 

@@ -17,7 +17,6 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/load.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>

@@ -13,7 +13,7 @@ namespace profile {
 
 namespace {
 
-using rollbem::RadiusDifference;
+using RadiusDifference = rollbem::WheelsetOnTrack::RadiusDifference;
 using rollbem::Status;
 using rollbem::WheelsetOnTrack;
 

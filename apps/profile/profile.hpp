@@ -36,7 +36,7 @@ inline study::Cell scene_cell(const Case& at, const std::string& name) {
 
 /// Wear of a wheel and its rail over all positions.
 struct WearPlan {
-    rollbem::WearLaw law;
+    rollbem::ProfileWear::Law law;
     double step;                        ///< largest depth between two searches of contacts [m]
     std::string worn_wheel, worn_rail;  ///< files; empty where they are not asked for
     double cant, tape_offset;           ///< of the profiles as they are read [rad], [m]
@@ -83,7 +83,7 @@ struct Conicity {
     rollbem::WheelsetOnTrack wheelset;
     bool of_radii;                 ///< --rolling-radii
     std::vector<double> places{};  ///< amplitudes, of radii lateral positions [m]
-    std::optional<rollbem::RadiusDifference> radii{};
+    std::optional<rollbem::WheelsetOnTrack::RadiusDifference> radii{};
     rollbem::Status status = rollbem::Status::ok;  ///< why there is no equilibrium
 };
 Conicity read_conicity(const study::Options& options);  ///< throws BadInput
@@ -134,10 +134,11 @@ void add_profile_options(study::Options& options);
 
 /// Declares the dimensions of the track, and reads them. Throws BadInput.
 void add_track_options(study::Options& options);
-rollbem::TrackDimensions read_dimensions(const study::Options& options);
+rollbem::WheelOnRail::Dimensions read_dimensions(const study::Options& options);
 
 /// Both wheels on their rails; the sidecar notes which profiles were cleaned or turned. Throws BadInput.
-rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions);
+rollbem::WheelsetOnTrack read_wheelset(const study::Options& options,
+                                       const rollbem::WheelOnRail::Dimensions& dimensions);
 
 // --- pictures
 

@@ -101,23 +101,23 @@ void add_friction_options(study::Options& options) {
 }
 
 /// The friction of a file of angle,mu or y,mu. Throws BadInput.
-rollbem::RailFriction read_rail_friction(const study::Options& options) {
-    using Over = rollbem::RailFriction::Over;
+rollbem::RollingFriction::OnRail read_rail_friction(const study::Options& options) {
+    using Over = rollbem::RollingFriction::OnRail::Over;
     const std::vector<study::Numbers> columns = study::read_columns(options, "friction", "mu", "angle;y");
     const study::Numbers &mu = columns[0], &angle = columns[1], &y = columns[2];
     options.require(angle.empty() || y.empty(), "friction", "have one of the columns angle [rad] and y [m], not both");
     options.require(!mu.empty() && angle.empty() != y.empty(), "friction",
                     "have a row, and a column angle [rad] or y [m]");
     return study::blame(options.said("friction"), [&] {
-        return rollbem::RailFriction(y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu);
+        return rollbem::RollingFriction::OnRail(y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu);
     });
 }
 
 /// Throws BadInput.
-std::optional<rollbem::Heating> read_heating(const study::Options& options) {
+std::optional<rollbem::RollingFriction::Heating> read_heating(const study::Options& options) {
     if (!options.flag("temperature")) return {};
-    rollbem::Heating heating{options.number("conductivity", study::positive()),
-                             options.number("heat-capacity", study::positive())};
+    rollbem::RollingFriction::Heating heating{options.number("conductivity", study::positive()),
+                                              options.number("heat-capacity", study::positive())};
     if (!options.given("hot-friction")) return heating;
     const std::vector<double> hot = options.row("hot-friction", 3);
     options.require(hot.size() == 3 && hot[0] >= 0 && hot[1] >= 0 && hot[2] > hot[1], "hot-friction",
@@ -321,7 +321,7 @@ void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrac
 Settings read_settings(const study::Options& options) {
     Positions positions = read_cases(options);
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    const rollbem::TrackDimensions track = read_dimensions(options);
+    const rollbem::WheelOnRail::Dimensions track = read_dimensions(options);
     const auto cells = options.pair("cells");
     const auto fits = [](double count) { return count >= 10 && count <= 1000 && count == std::floor(count); };
     options.require(cells && fits(cells->first) && fits(cells->second), "cells",
@@ -342,7 +342,7 @@ Settings read_settings(const study::Options& options) {
     rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);
     check_surfaces(options, wheelset, positions);
     if (wear && !wear->worn_rail.empty()) {
-        const rollbem::TrackDimensions::Origin origin = wheelset.wheel(sides[0]).geometry().rail_origin();
+        const rollbem::WheelOnRail::Dimensions::Origin origin = wheelset.wheel(sides[0]).geometry().rail_origin();
         const auto text = [](double length) { return study::Cell(std::round(1e12 * length) / 1e12 + 0.0).text(); };
         options.note("--worn-rail: stays where it was with --rail-origin " + text(origin.y) + "," + text(origin.z));
     }

@@ -106,7 +106,7 @@ rollbem::Profile aligned(const study::Options& options, const std::string& sourc
                          bool any_shape) {
     const auto [reference, parts] = read_reference(options, use);
     return study::blame("--" + source, [&, &onto = reference, &fixed = parts] {
-        const rollbem::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
+        const rollbem::Profile::Alignment found = align(raw, onto, fixed, options.flag("align-angle"));
         const auto in_mm = [](double length) { return study::Cell(1e3 * length).text(5) + " mm"; };
         const std::string motion =
             "aligned with " + options.text(reference_option(use)) + ": moved by dy = " + in_mm(found.dy) +
@@ -160,7 +160,7 @@ study::Rule length(const study::Options& options, double low, double high) {
 }
 
 rollbem::WheelOnRail read_side(const study::Options& options, const std::string& left,
-                               rollbem::TrackDimensions dimensions) {
+                               rollbem::WheelOnRail::Dimensions dimensions) {
     const SideOptions side{options, left};
     const bool any_shape = options.flag("any-shape");
     if (options.given(side.own("radius"))) {
@@ -262,7 +262,8 @@ void add_profile_options(study::Options& options) {
     options.add("left-radius", "R", "radius of the left wheel's tape circle [m], 0.02 to 5; default: --radius");
 }
 
-rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions) {
+rollbem::WheelsetOnTrack read_wheelset(const study::Options& options,
+                                       const rollbem::WheelOnRail::Dimensions& dimensions) {
     bool all_standard = true;
     for (const auto& [name, use] :
          {std::pair{"wheel", Use::wheel}, {"rail", Use::rail}, {"left-wheel", Use::wheel}, {"left-rail", Use::rail}}) {
@@ -311,8 +312,8 @@ void add_track_options(study::Options& options) {
         .only_with({"rail-origin"});
 }
 
-rollbem::TrackDimensions read_dimensions(const study::Options& options) {
-    rollbem::TrackDimensions track{
+rollbem::WheelOnRail::Dimensions read_dimensions(const study::Options& options) {
+    rollbem::WheelOnRail::Dimensions track{
         .gauge = options.number("gauge", length(options, 0.1, 5)),
         .gauge_depth = options.number("gauge-depth", study::positive()),
         .flange_back =
@@ -324,7 +325,7 @@ rollbem::TrackDimensions read_dimensions(const study::Options& options) {
     if (options.given("rail-origin")) {
         const auto origin = options.pair("rail-origin");
         options.require(origin.has_value(), "rail-origin", "be two numbers with a comma between them");
-        track.rail_origin = rollbem::TrackDimensions::Origin{origin->first, origin->second};
+        track.rail_origin = rollbem::WheelOnRail::Dimensions::Origin{origin->first, origin->second};
     }
     return track;
 }

@@ -68,8 +68,8 @@ struct WearingBody {
 struct WearRow {
     double distance;
     std::array<double, 3> wheel, rail;  ///< largest depth, its y in the axes of the file, area
-    rollbem::FlangeSizes flange;
-    rollbem::RailWear head;
+    rollbem::Profile::FlangeSizes flange;
+    rollbem::Profile::RailWear head;
     bool has_rail;
     std::string status;
 };
@@ -110,16 +110,16 @@ std::array<rollbem::ProfileWear, 2> sums_over(const Profile& profile) {
     return {one, one};
 }
 
-rollbem::WearLaw read_law(const study::Options& options) {
+rollbem::ProfileWear::Law read_law(const study::Options& options) {
     const std::string name = options.text("wear-law");
-    if (name == "t-gamma") return rollbem::WearLaw::t_gamma();
-    if (name == "archard-kth") return rollbem::WearLaw::archard_kth();
+    if (name == "t-gamma") return rollbem::ProfileWear::Law::t_gamma();
+    if (name == "archard-kth") return rollbem::ProfileWear::Law::archard_kth();
     std::error_code unknown;
     options.require(std::filesystem::exists(name, unknown), "wear-law",
                     "be t-gamma, archard-kth or a file that can be read");
     const std::vector<study::Numbers> columns = study::read_columns(options, "wear-law", "t_gamma_per_area,rate");
     options.require(!columns[0].empty(), "wear-law", "have a row below its header");
-    return study::blame(options.said("wear-law"), [&] { return rollbem::WearLaw(columns[0], columns[1]); });
+    return study::blame(options.said("wear-law"), [&] { return rollbem::ProfileWear::Law(columns[0], columns[1]); });
 }
 
 }  // namespace
@@ -209,7 +209,7 @@ struct WearRun::State {
     /// The wheelset with the profiles as they are now, the rail where it was.
     rollbem::WheelsetOnTrack wheelset() const {
         const rollbem::WheelOnRail::Geometry& geometry = settings.wheelset.wheel(side).geometry();
-        rollbem::TrackDimensions dimensions = geometry.dimensions();
+        rollbem::WheelOnRail::Dimensions dimensions = geometry.dimensions();
         dimensions.rail_origin = geometry.rail_origin();
         const double radius = geometry.rail().roller_radius();
         const rollbem::WheelOnRail own(

@@ -30,4 +30,8 @@ template class detail::StepMap<1>;
 template class detail::StepMap<2>;
 template class AdhesionModel<1>;
 template class AdhesionModel<2>;
+template AdhesionModel<2>::AdhesionModel(const Contact&, const ElementSystem<double, 2>&, const StabilityVerdict&,
+                                         Integrator);
+template AdhesionModel<2>::AdhesionModel(const PatchContact&, const ElementSystem<double, 2>&, const StabilityVerdict&,
+                                         Integrator);
 }  // namespace rollbem

@@ -12,7 +12,6 @@
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/step_response.hpp>
 
 #include "studies/stick_border.hpp"
 #include "support/catch.hpp"

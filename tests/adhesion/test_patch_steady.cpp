@@ -206,7 +206,7 @@ TEST_CASE("patch_steady: coarse meshes do not pass for right") {
     // a corner in front: c23 26 % off
     const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -0.5, 0.5), base = ArrayX<double>::Constant(3, -0.5),
                          tip = (ArrayX<double>(3) << -0.5, 1, -0.5).finished();
-    const PatchContact triangle(Outline(y, base, tip), 1, 0);
+    const PatchContact triangle(PatchContact::Outline(y, base, tip), 1, 0);
     const auto corner = solved(triangle, patch_mesh(triangle, 12, 8));
     CHECK_FALSE(is_confirmed(corner.response, 1, 2));
 }
@@ -262,7 +262,8 @@ TEST_CASE("patch_steady: coefficients of outlines that half as many strips do no
         const auto array = [](const std::vector<double>& of) -> ArrayX<double> {
             return Eigen::Map<const ArrayX<double>>(of.data(), Eigen::Index(of.size()));
         };
-        const PatchContact contact(Outline(array(shape.y), array(shape.trailing), array(shape.leading)), 1, shape.nu);
+        const PatchContact contact(PatchContact::Outline(array(shape.y), array(shape.trailing), array(shape.leading)),
+                                   1, shape.nu);
         const auto patch = solved(contact, patch_mesh(contact, cosine_mesh(shape.n), shape.across));
         CHECK(relative(patch.response.coefficients(0, 0), shape.c11) > 0.15);
         CHECK(patch.status == Status::not_converged);
@@ -313,7 +314,7 @@ TEST_CASE("patch_steady: a wide rectangle tends to the line contact") {
     // F_x = -(2 a) (2 b) ... of a line is a G c11 per width, c11 = pi/(2 (1 - nu)); c^2 = 4 a b/pi
     const double nu = 0.3, b = 200;
     const ArrayX<double> y = (ArrayX<double>(2) << -b, b).finished(), one = ArrayX<double>::Ones(2);
-    const PatchContact contact(Outline(y, -one, one), 1, nu);
+    const PatchContact contact(PatchContact::Outline(y, -one, one), 1, nu);
     const auto patch = solved(contact, patch_mesh(contact, 40, 24));
     CHECK(patch.status == Status::ok);
     const double per_width = patch.c11 * (4 * b / pi) / (2 * b);
@@ -326,7 +327,7 @@ TEST_CASE("patch_steady: the unit of length is free") {
         const ArrayX<double> y = ArrayX<double>::LinSpaced(4, -1, 1) * size;
         const ArrayX<double> leading = (ArrayX<double>(4) << 0, 1, 0.7, 0.2).finished() * size;
         const ArrayX<double> trailing = (ArrayX<double>(4) << 0, -0.5, -0.9, 0).finished() * size;
-        return Outline(y, trailing, leading);
+        return PatchContact::Outline(y, trailing, leading);
     };
     const auto coefficients = [&](double size) {
         const PatchContact contact(outline(size), 1, 0.28);

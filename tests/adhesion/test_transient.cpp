@@ -8,7 +8,7 @@
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/line.hpp>
-#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

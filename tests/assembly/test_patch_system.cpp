@@ -115,7 +115,8 @@ TEST_CASE("patch_system: a rectangle of one strip has the matrices of the strip 
     const double b = 3;
     const Mesh<double> along = cosine_mesh(12);
     const ArrayX<double> ends = (ArrayX<double>(2) << -b, b).finished(), ones = ArrayX<double>::Ones(2);
-    const PatchMesh<double> rectangle = outline_mesh<double>(Outline(ends, -ones, ones), 1, along, uniform_mesh(1));
+    const PatchMesh<double> rectangle =
+        outline_mesh<double>(PatchContact::Outline(ends, -ones, ones), 1, along, uniform_mesh(1));
     const Contact contact = Contact::dimensionless(b, 0.3);
     const ElementSystem<double, 2> patch = rolling_system(rectangle, chebyshev, HalfSpace<double>(0.3));
     for (const std::size_t d : {0, 1}) {
@@ -239,8 +240,9 @@ TEST_CASE("patch_system: size scales G and leaves G' alone; no coupling at nu = 
     const auto patch = [](double unit) {
         const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -1, 1);
         const ArrayX<double> edge = (ArrayX<double>(3) << 0.2, 1, 0.5).finished();
-        return rolling_system(outline_mesh<double>(Outline(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
-                              NodeDifference{}, HalfSpace<double>(0.25));
+        return rolling_system(
+            outline_mesh<double>(PatchContact::Outline(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
+            NodeDifference{}, HalfSpace<double>(0.25));
     };
     const auto large = patch(0.5), small = patch(1);
     CHECK(largest(large.G(0, 0) - 2 * small.G(0, 0)) < 1e-14);

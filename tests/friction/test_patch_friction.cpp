@@ -249,7 +249,7 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
         trailing[i] = -4.6e-3 * length;
         leading[i] = 3.4e-3 * length;
     }
-    const PatchContact contact(Outline(y, trailing, leading), 8.2e10, nu);
+    const PatchContact contact(PatchContact::Outline(y, trailing, leading), 8.2e10, nu);
     const double c = contact.half_length(), load = 15e3, unit = mu * load / (8.2e10 * c * c);
     std::vector<TangentialForce> forces;
     for (const auto& [n, m] : {std::pair{24, 32}, {16, 9}}) {

@@ -59,7 +59,7 @@ const WheelOnRail& s1002_on_uic60() {
 /// The same rail as a roller of 100 km.
 const WheelOnRail& s1002_on_uic60_in_slices() {
     static const WheelOnRail of = [] {
-        TrackDimensions dimensions;
+        WheelOnRail::Dimensions dimensions;
         dimensions.rail_origin = s1002_on_uic60().geometry().rail_origin();
         return WheelOnRail(s1002(), RailSurface::roller(rail_uic60(), 1e5), dimensions);
     }();
@@ -67,7 +67,7 @@ const WheelOnRail& s1002_on_uic60_in_slices() {
 }
 
 /// The wheel's tape circle above the rail's origin.
-constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+constexpr WheelOnRail::Dimensions above{.radius = 0.46, .rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}};
 
 constexpr detail::ContactSettings coarse_cells{
     .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true, .halves_cells = false};
@@ -236,7 +236,7 @@ TEST_CASE("contact_search: a steep side of a wheel that yaws touches far from th
     const Profile arc = piece(-0.0196, 0.0196, 401, [](double y) { return crown(y, 0.02); });
     const Profile side = piece(0.04, 0.16, 241, [](double y) { return 2.5 * y; });
     const Sections alike({{-1, arc}, {1, arc}}, Sections::Interpolation::through);
-    const TrackDimensions large{.radius = 0.8, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+    const WheelOnRail::Dimensions large{.radius = 0.8, .rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}};
     const WheelsetPosition at{.yaw = 0.18};
     WheelOnRail::Workspace workspace;
     const auto same = WheelOnRail(side, arc, large).solve_for_load(at, 2e3, workspace),
@@ -429,9 +429,11 @@ TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each oth
                                     {10, -10 * slope},
                                     {15, -15 * slope},
                                     {20, -20 * slope}});
-    const WheelOnRail wheel(
-        ball, groove,
-        {.flange_back = 1.36, .tape_offset = 0.07, .radius = 0.02, .rail_origin = TrackDimensions::Origin{0.75, 0}});
+    const WheelOnRail wheel(ball, groove,
+                            {.flange_back = 1.36,
+                             .tape_offset = 0.07,
+                             .radius = 0.02,
+                             .rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}});
     WheelOnRail::Workspace workspace;
     const double touch = 0.02 / std::cos(pi / 6) - 0.02, lower = 2e-5;  // of the ball's lowest point above the edge
     const auto contact = wheel.solve_at_height({.height = lower - touch}, workspace, {});
@@ -666,7 +668,7 @@ TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are 
 
 TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {
     const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
-    TrackDimensions soft = above;
+    WheelOnRail::Dimensions soft = above;
     soft.shear_modulus /= 2;
     const Profile crowned = piece(-0.05, 0.05, 401, [](double y) { return y * y / 0.6; });
     const WheelOnRail at_edge(cylinder(), edge, above), wheel(cylinder(), crowned, above),

@@ -52,7 +52,7 @@ struct Scene {
         }
         return u / std::numbers::pi;
     }
-    Outline outline() const { return detail::contact_outline(grid, normal.pressure()).value(); }
+    PatchContact::Outline outline() const { return detail::contact_outline(grid, normal.pressure()).value(); }
     double peak() const { return detail::peak_pressure(normal.pressure()); }
 };
 
@@ -77,7 +77,7 @@ TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second 
             counts.push_back(double(n));
             approach.push_back(scene.solution.approach / e.approach - 1);
             peak.push_back(scene.peak() / e.p_0 - 1);
-            const Outline outline = scene.outline();
+            const PatchContact::Outline outline = scene.outline();
             CHECK(outline.area() == Approx(std::numbers::pi * e.a * e.b).epsilon(n < 40 ? 2.5e-2 : 4e-3));
             CHECK((outline.high() - outline.low()) / 2 == Approx(e.b).epsilon(n < 40 ? 1e-2 : 5e-3));
             CHECK((outline.leading(0) - outline.trailing(0)) / 2 == Approx(e.a).epsilon(n < 40 ? 5e-3 : 2e-3));
@@ -112,7 +112,7 @@ TEST_CASE("normal_contact: two radii, and a tilted ellipse", "[normal]") {
     radii.carry(0.0878);
     CHECK(radii.solution.approach == Approx(.025305).epsilon(1e-3));
     CHECK(radii.peak() == Approx(.009276).epsilon(3e-3));
-    const Outline outline = radii.outline();
+    const PatchContact::Outline outline = radii.outline();
     CHECK(outline.area() == Approx(19.45).epsilon(5e-3));
     CHECK(outline.low() == Approx(-.639).margin(radii.grid.dy / 2));
     CHECK(outline.high() == Approx(2.715).margin(radii.grid.dy / 2));

@@ -126,21 +126,21 @@ TEST_CASE("Further points lie on the curve", "[profile]") {
 }
 
 TEST_CASE("Sizes of flanges and heads", "[profile]") {
-    const FlangeSizes sizes = flange_sizes(s1002());
+    const Profile::FlangeSizes sizes = flange_sizes(s1002());
     CHECK(sizes.height == Approx(28e-3).margin(1e-6));
     CHECK(sizes.thickness == Approx(32.5e-3).margin(1e-5));
     CHECK(sizes.qr == Approx(10.79e-3).margin(1e-5));
-    const FlangeSizes from_back = flange_sizes(s1002().moved(0, 0.07, 0), 0);
+    const Profile::FlangeSizes from_back = flange_sizes(s1002().moved(0, 0.07, 0), 0);
     CHECK(from_back.thickness == Approx(sizes.thickness).epsilon(1e-12));
     // a tread that loses 1 mm has a higher flange, measured where it is thicker
     const Profile tread = worn(s1002(), (1e-3 / (1 + ((-20e-3 - s1002().y()) / 1e-3).exp())).eval(), Use::wheel);
-    const FlangeSizes hollow = flange_sizes(tread);
+    const Profile::FlangeSizes hollow = flange_sizes(tread);
     CHECK(hollow.height == Approx(29e-3).margin(2e-6));
     CHECK(hollow.thickness > sizes.thickness);
     CHECK(std::isnan(flange_sizes(arc(0.02, 1, false, 50), 0.07 - 0.05).height));
 
     const Profile rail = rail_60e1();
-    const RailWear wear = rail_wear(rail, rail.moved(0, 3e-4, 2e-4), 0.014);
+    const Profile::RailWear wear = rail_wear(rail, rail.moved(0, 3e-4, 2e-4), 0.014);
     CHECK(wear.vertical == Approx(2e-4).margin(1e-6));
     // 2e-4 deeper on a side that leans by 1:20 and 1:40
     CHECK(wear.side == Approx(3e-4 - 2e-4 * std::tan(std::atan(0.05) + std::atan(0.025) - 0.1)).margin(3e-5));
@@ -162,7 +162,7 @@ TEST_CASE("A worn wheel comes back to where it was", "[profile]") {
     for (const auto& [angle, dy, dz] :
          {std::array{0.0, 0.0, 0.0}, {0.0, 3e-3, -1e-3}, {0.0, 0.07, 0.0}, {5e-3, -2e-3, 1e-3}}) {
         const bool turns = angle != 0;
-        const Alignment found = align(hollow.moved(angle, dy, dz), wheel, parts, turns);
+        const Profile::Alignment found = align(hollow.moved(angle, dy, dz), wheel, parts, turns);
         const Profile back = hollow.moved(angle, dy, dz).moved(found.angle, found.dy, found.dz);
         CAPTURE(angle, dy, found.angle, found.dy, found.dz, found.residual, found.share);
         CHECK((back.y() - hollow.y()).abs().maxCoeff() < 2e-6);
@@ -180,7 +180,7 @@ TEST_CASE("More than half of a tread may be worn unevenly", "[profile]") {
         worn(wheel, (2e-3 * (-((wheel.y() - middle) / (0.26 * (parts[1][1] - parts[1][0]))).square()).exp()).eval(),
              Use::wheel);
     for (const bool turns : {false, true}) {
-        const Alignment found = align(hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3), wheel, parts, turns);
+        const Profile::Alignment found = align(hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3), wheel, parts, turns);
         const Profile back = hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3).moved(found.angle, found.dy, found.dz);
         CAPTURE(turns, found.angle, found.dy, found.dz, found.residual, found.share);
         CHECK((back.y() - hollow.y()).abs().maxCoeff() < 2e-5);
@@ -192,7 +192,7 @@ TEST_CASE("A worn rail comes back, and what does not fix it is refused", "[profi
     const Profile rail = extended(rail_60e1(0), 15e-3);
     const Profile head = worn(rail, (5e-3 * (-(rail.z() / 14e-3).pow(8)).exp()).eval(), Use::rail);
     const auto parts = unworn_parts(rail, Use::rail);
-    const Alignment found = align(head.moved(0, 2e-3, -1e-3), rail, parts);
+    const Profile::Alignment found = align(head.moved(0, 2e-3, -1e-3), rail, parts);
     CHECK(found.dy == Approx(-2e-3).margin(1e-7));
     CHECK(found.dz == Approx(1e-3).margin(2e-6));
     CHECK(refusal([&] {

@@ -41,8 +41,8 @@ Profile arc(double R) {
 }
 /// A cone of this half angle [rad], on the arc at y = 0.75.
 WheelOnRail on_crown(double angle, double R) {
-    TrackDimensions dimensions{.radius = along};
-    dimensions.rail_origin = TrackDimensions::Origin{0.75, 0};
+    WheelOnRail::Dimensions dimensions{.radius = along};
+    dimensions.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0};
     return {piece(0.06, [=](const Eigen::ArrayXd& y) -> Eigen::ArrayXd { return -std::tan(angle) * y; }), arc(R),
             dimensions};
 }

@@ -12,6 +12,7 @@
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"
+#include "support/exact_traction.hpp"
 
 namespace bessel_tests {
 namespace {

@@ -1,4 +1,4 @@
-// rollbem/reference/step_response.hpp
+// rollbem/reference/bessel.hpp
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include <gsl/gsl_errno.h>
 
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"
 

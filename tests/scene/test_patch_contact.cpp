@@ -23,7 +23,9 @@ using Values = std::initializer_list<double>;
 
 Array array(Values values) { return Eigen::Map<const Array>(values.begin(), static_cast<Eigen::Index>(values.size())); }
 
-Outline outline(Values y, Values trailing, Values leading) { return {array(y), array(trailing), array(leading)}; }
+PatchContact::Outline outline(Values y, Values trailing, Values leading) {
+    return {array(y), array(trailing), array(leading)};
+}
 
 std::string refused(Values y, Values trailing, Values leading) {
     return refusal([&] { outline(y, trailing, leading); });
@@ -64,7 +66,7 @@ TEST_CASE("outline: bad ones are refused with the line and its value") {
 }
 
 TEST_CASE("outline: edges are straight between lines; c is the radius of the circle of equal area") {
-    const Outline kite = outline({-1, 0, 3}, {0, -2, 0}, {0, 1, 0});
+    const PatchContact::Outline kite = outline({-1, 0, 3}, {0, -2, 0}, {0, 1, 0});
     CHECK(kite.leading(-0.5) == 0.5);
     CHECK(kite.trailing(1.5) == -1);
     CHECK(kite.leading(-1) == 0);
@@ -99,7 +101,7 @@ TEST_CASE("patch_mesh: the strips of an ellipse end on it at the middle of their
 }
 
 TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored only if it is") {
-    const Outline trapezium = outline({1, 3}, {-1, -2}, {1, 2});
+    const PatchContact::Outline trapezium = outline({1, 3}, {-1, -2}, {1, 2});
     const Array edges = array({-1, 0.5, 1});
     const PatchMesh<double> mesh = outline_mesh<double>(trapezium, 2, uniform_mesh(3), mesh_from_edges(edges));
     CHECK(mesh.upper().isApprox(array({1.25, 1.5})));

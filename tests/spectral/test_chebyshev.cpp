@@ -14,6 +14,7 @@
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/exact_traction.hpp"
 #include "support/observed_order.hpp"
 #include "support/strip_instances.hpp"
 

@@ -13,6 +13,7 @@
 
 #include "studies/monomial.hpp"
 #include "support/catch.hpp"
+#include "support/exact_traction.hpp"
 
 namespace polynomial_tests {
 namespace {

@@ -28,16 +28,16 @@ inline Eigen::Array3d forces(double a_over_b, const Creepage& v) {
     return size * size * rest * Eigen::Array3d(full.longitudinal, full.lateral, full.moment) + rest * linear;
 }
 
-inline CreepForceGrid grid(int levels, int shapes, double smallest = 0.5, double largest = 2) {
+inline CreepForceTable::Grid grid(int levels, int shapes, double smallest = 0.5, double largest = 2) {
     std::vector<CreepCoefficients<double>> all;
     for (int i = 0; i < shapes; ++i) {
-        all.push_back(coefficients(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest)));
+        all.push_back(coefficients(CreepForceTable::Grid::a_over_b_of(i, shapes, smallest, largest)));
     }
     return {0.28, smallest, largest, levels, std::move(all)};
 }
 
 inline CreepForceTable table(int levels, int shapes) {
-    const CreepForceGrid nodes = grid(levels, shapes);
+    const CreepForceTable::Grid nodes = grid(levels, shapes);
     Eigen::Array3Xd values(3, nodes.nodes() * nodes.shapes());
     for (Eigen::Index i = 0; i < nodes.shapes(); ++i) {
         for (Eigen::Index k = 0; k < nodes.nodes(); ++k) {

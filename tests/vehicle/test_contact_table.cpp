@@ -235,7 +235,7 @@ TEST_CASE("a table of a rail that changes along the way is refused", "[contact_t
     const Profile rail = rail_60e1();
     const Sections sections({{-1, rail, {}}, {1, rail, {}}}, Sections::Interpolation::through);
     const WheelsetOnTrack track(
-        WheelOnRail(rollbem::s1002(), sections, {.rail_origin = TrackDimensions::Origin{0.75, 0}}));
+        WheelOnRail(rollbem::s1002(), sections, {.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}}));
     CHECK_THAT(refusal([&] { make_contact_table(track, creep()); }),
                ContainsSubstring("surface = changes along the way"));
 }
@@ -273,7 +273,7 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
             REQUIRE(at.status == Status::ok);
             const WheelForces::Point& point = at.points[0];
             const WheelsetPosition seen = contacts.seen(side);
-            const TrackDimensions& dimensions = track.wheel(side).dimensions();
+            const WheelOnRail::Dimensions& dimensions = track.wheel(side).dimensions();
             const PatchEllipse ellipse = creep_ellipse(patches[0], dimensions, creep());
             const Creepage own =
                 creepage_of(patches[0], seen, WheelsetOnTrack::seen_from(side, speeds), dimensions.radius);
@@ -347,7 +347,7 @@ TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[conta
     WheelsetOnTrack::Workspace workspace;
     const auto contacts = track.solve({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace);
     const RailPatch& patch = contacts.wheels[1].patches[0];
-    const TrackDimensions& dimensions = track.wheel().dimensions();
+    const WheelOnRail::Dimensions& dimensions = track.wheel().dimensions();
     const PatchEllipse ellipse = creep_ellipse(patch, dimensions, creep());
     const double c = contact_of(patch, dimensions).c(), bound = mu * patch.load,
                  unit = bound / (dimensions.shear_modulus * c * c);
@@ -510,7 +510,7 @@ TEST_CASE("a table of version 2 is read, without plane and bend", "[contact_tabl
 
 TEST_CASE("bends bring ellipses to the patches between rest and full sliding", "[contact_table]") {
     const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
-    const TrackDimensions& dimensions = track.wheel().dimensions();
+    const WheelOnRail::Dimensions& dimensions = track.wheel().dimensions();
     WheelsetOnTrack::Workspace workspace;
     const auto contacts = track.solve({.lateral = 1.3e-3, .yaw = 4e-3}, {8e4, 8e4}, workspace);
     detail::WheelNode node;

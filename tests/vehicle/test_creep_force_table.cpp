@@ -270,7 +270,7 @@ TEST_CASE("creep_force_table: tangents without friction and at rest, and continu
     }
     // and so does its own derivative, past the first level, where the correction at rest ends
     const double n = table.grid().levels(),
-                 at_level = CreepForceGrid::saturation_scale / (n - 1) / creep_forces::coefficients(1).c22;
+                 at_level = CreepForceTable::Grid::saturation_scale / (n - 1) / creep_forces::coefficients(1).c22;
     const PatchContact circle = contact(1);
     const auto change = [&](double from, double to) {
         const auto tangent = [&](double part) {
@@ -314,7 +314,7 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(status(contact(1, 0.2901), mu, load, {}) == Status::wrong_table);
     CHECK(status(contact(1, 0.25), mu, load, {}) == Status::wrong_table);
     const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(3, -1, 1), trailing = Eigen::ArrayXd::Constant(3, -1);
-    const PatchContact square(Outline(y, trailing, -trailing), modulus, 0.28);
+    const PatchContact square(PatchContact::Outline(y, trailing, -trailing), modulus, 0.28);
     CHECK(status(square, mu, load, {}) == Status::wrong_table);
 
     for (const double none : {0.0, 1.0}) {  // no friction, no load
@@ -368,7 +368,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(changed(good.size() / 2, 1), ContainsSubstring("checksum"));
     CHECK_THAT(changed(good.size() - 1, 1), ContainsSubstring("checksum"));
 
-    const CreepForceGrid grid = creep_forces::grid(6, 5);
+    const CreepForceTable::Grid grid = creep_forces::grid(6, 5);
     Eigen::Array3Xd forces = Eigen::Array3Xd::Zero(3, grid.nodes() * grid.shapes());
     CHECK(refusal([&] { CreepForceTable(grid, forces); }).empty());
     CHECK_THAT(refusal([&] { CreepForceTable(grid, forces.leftCols(7)); }), ContainsSubstring("number of forces = 7"));
@@ -376,9 +376,9 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(refusal([&] { CreepForceTable(grid, forces); }), ContainsSubstring("force over mu N = nan"));
     const auto grid_refused = [](double nu, double low, double high, int levels, int shapes) {
         return refusal([&] {
-            CreepForceGrid(nu, low, high, levels,
-                           std::vector<CreepCoefficients<double>>(static_cast<std::size_t>(shapes),
-                                                                  creep_forces::coefficients(1)));
+            CreepForceTable::Grid(nu, low, high, levels,
+                                  std::vector<CreepCoefficients<double>>(static_cast<std::size_t>(shapes),
+                                                                         creep_forces::coefficients(1)));
         });
     };
     CHECK(grid_refused(0.28, 0.5, 2, 6, 4).empty());
@@ -391,8 +391,8 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
 
 TEST_CASE("creep_force_table: the table of steel holds the forces of its patches") {
     const CreepForceTable steel = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    const CreepForceGrid& grid = steel.grid();
-    const CreepForceGrid::Range range;
+    const CreepForceTable::Grid& grid = steel.grid();
+    const CreepForceTable::Grid::Range range;
     CHECK(grid.poisson_ratio() == range.poisson_ratio);
     CHECK(grid.shapes() == range.shapes);
     CHECK(grid.levels() == range.levels);

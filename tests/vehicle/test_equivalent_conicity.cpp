@@ -39,14 +39,14 @@ Profile cone(double gamma) {
 }
 
 WheelOnRail on_track(const Profile& wheel, const Profile& rail, double r0 = radius) {
-    TrackDimensions dimensions{.flange_back = flange_back, .radius = r0};
-    dimensions.rail_origin = TrackDimensions::Origin{rail_y, 0};
+    WheelOnRail::Dimensions dimensions{.flange_back = flange_back, .radius = r0};
+    dimensions.rail_origin = WheelOnRail::Dimensions::Origin{rail_y, 0};
     return {wheel, rail, dimensions};
 }
 
 /// Delta r by a formula over |y| <= 10 mm.
 template <class Difference>
-RadiusDifference formula(const Difference& difference, Eigen::Index n = 20001) {
+WheelsetOnTrack::RadiusDifference formula(const Difference& difference, Eigen::Index n = 20001) {
     const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(n, -0.01, 0.01);
     Eigen::ArrayXd values(n);
     for (Eigen::Index i = 0; i < n; ++i) values[i] = difference(y[i]);
@@ -67,7 +67,7 @@ TEST_CASE("equivalent_conicity: cones on round rails have their own conicity and
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
     for (const double amplitude : {1e-4, 1e-3, 3e-3, 8e-3}) {
-        const RadiusDifference::Conicity wave = equivalent_conicity(*radii, amplitude);
+        const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, amplitude);
         CAPTURE(amplitude, name(wave.status));
         REQUIRE(wave.status == Status::ok);
         CHECK(std::abs(wave.tan_gamma / gamma - 1) < 1e-4);
@@ -97,7 +97,7 @@ TEST_CASE("equivalent_conicity: hollow round wheels on round rails turn as their
     }
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const RadiusDifference::Conicity wave = equivalent_conicity(*radii, 1e-4);
+    const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, 1e-4);
     REQUIRE(wave.status == Status::ok);
     const double expected = R_w / (R_w - R_r) * std::tan(-tilt(0));
     CHECK(std::abs(wave.tan_gamma / expected - 1) < 1e-5);
@@ -110,7 +110,7 @@ TEST_CASE("equivalent_conicity: a smaller wheel shifts the wave, not the conicit
     const WheelsetOnTrack wheelset(on_track(cone(gamma), rail, radius - less), on_track(cone(gamma), rail));
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const RadiusDifference::Conicity wave = equivalent_conicity(*radii, 3e-3);
+    const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, 3e-3);
     REQUIRE(wave.status == Status::ok);
     // the right one is larger: rolling straight, the wheelset stands to the left
     CHECK(std::abs((wave.y_min + wave.y_max) / 2 + less / (2 * gamma)) < 1e-7);
@@ -123,7 +123,8 @@ TEST_CASE("equivalent_conicity: a mirrored wheelset has the same wave, also wher
         return equivalent_conicity(radius_difference(WheelsetOnTrack(one, two)).value(), 3e-3);
     };
     // Delta r passes 0 where the contact goes over to another place of the rail
-    const RadiusDifference::Conicity smaller = wave(radius - 1e-4, radius), larger = wave(radius, radius - 1e-4);
+    const WheelsetOnTrack::RadiusDifference::Conicity smaller = wave(radius - 1e-4, radius),
+                                                      larger = wave(radius, radius - 1e-4);
     REQUIRE(smaller.status == Status::ok);
     CHECK(std::abs(smaller.wavelength / larger.wavelength - 1) < 1e-7);
     CHECK(std::abs(smaller.y_min + larger.y_max) < 1e-9);
@@ -133,7 +134,8 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
     const double gamma = 0.1, A = 3e-3;
     std::vector<double> inverse, apart;
     for (const double cubic : {2e3, -5e2, 5e3}) {
-        const RadiusDifference radii = formula([=](double y) { return 2 * (gamma + cubic * y * y) * y; });
+        const WheelsetOnTrack::RadiusDifference radii =
+            formula([=](double y) { return 2 * (gamma + cubic * y * y) * y; });
         for (const double amplitude : {A, A / 2, A / 4}) {
             // of a Duffing oscillator, by the arithmetic-geometric mean of both terms of the elliptic integral
             double a = std::sqrt(gamma + cubic * amplitude * amplitude / 2),
@@ -143,7 +145,7 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
                 b = std::sqrt(a * b);
                 a = mean;
             }
-            const RadiusDifference::Conicity wave = equivalent_conicity(radii, amplitude);
+            const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(radii, amplitude);
             CAPTURE(cubic, amplitude, wave.tan_gamma, a * a);
             REQUIRE(wave.status == Status::ok);
             CHECK(std::abs(wave.tan_gamma / (a * a) - 1) < 1e-6);
@@ -161,34 +163,35 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
 
     // the harmonic wave of k y + c y^2 is balanced about m, k m + c m^2 + c A^2/2 = 0
     const double k = 0.2, c = 10, m = (std::sqrt(k * k - 2 * c * c * A * A) - k) / (2 * c);
-    const RadiusDifference::Conicity bent =
+    const WheelsetOnTrack::RadiusDifference::Conicity bent =
         equivalent_conicity(formula([=](double y) { return 2 * (k * y + c * y * y); }), A);
     CHECK(std::abs(bent.tan_gamma_linear / (k + 2 * c * m) - 1) < 1e-6);
 
     const double step = 1e-3;
-    const RadiusDifference::Conicity of_step =
+    const WheelsetOnTrack::RadiusDifference::Conicity of_step =
         equivalent_conicity(formula([=](double y) { return y < 0   ? -step
                                                            : y > 0 ? step
                                                                    : 0; }), A);
     CHECK(std::abs(of_step.tan_gamma * 16 * A / (std::numbers::pi * std::numbers::pi * step) - 1) < 1e-3);
     CHECK(std::abs(of_step.tan_gamma_linear * std::numbers::pi * A / (2 * step) - 1) < 1e-3);
 
-    const RadiusDifference::Conicity cylinder = equivalent_conicity(formula([](double) { return 0.0; }), A);
+    const WheelsetOnTrack::RadiusDifference::Conicity cylinder =
+        equivalent_conicity(formula([](double) { return 0.0; }), A);
     CHECK((cylinder.status == Status::ok && cylinder.tan_gamma == 0 && std::isinf(cylinder.wavelength)));
 }
 
 TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
-    const RadiusDifference cone_like = formula([](double y) { return 0.1 * y; });
+    const WheelsetOnTrack::RadiusDifference cone_like = formula([](double y) { return 0.1 * y; });
     CHECK(equivalent_conicity(cone_like, 9.9e-3).status == Status::ok);
     CHECK(equivalent_conicity(cone_like, 10.1e-3).status == Status::beyond_clearance);
     // small waves do not pass an equilibrium that repels them, wide ones do
-    const RadiusDifference falling = formula([](double y) { return 0.2 * y * (y * y / 9e-6 - 1); });
+    const WheelsetOnTrack::RadiusDifference falling = formula([](double y) { return 0.2 * y * (y * y / 9e-6 - 1); });
     CHECK(equivalent_conicity(falling, 2e-3).status == Status::unstable);
     CHECK(equivalent_conicity(falling, 6e-3).status == Status::ok);
     CHECK(!conicity_nonlinearity(falling));
     CHECK(equivalent_conicity(formula([](double y) { return -0.1 * y; }), 3e-3).status == Status::unstable);
     // aside, the wave has no room for the amplitude that it has in the middle
-    const RadiusDifference aside = formula([](double y) { return 0.1 * (y - 4e-3); });
+    const WheelsetOnTrack::RadiusDifference aside = formula([](double y) { return 0.1 * (y - 4e-3); });
     CHECK(equivalent_conicity(aside, 5e-3).status == Status::ok);
     CHECK(equivalent_conicity(aside, 7e-3).status == Status::beyond_clearance);
 
@@ -222,11 +225,13 @@ TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
         piece(0.06, [](double across) { return -0.05 * across - 2 * std::max(across - 0.04, 0.0); });
     CHECK(rolling_radii(WheelsetOnTrack(on_track(chamfered, arc(0.03, 0.3))), 0).status == Status::ok);
     CHECK_THAT(refusal([&] { radius_difference(real, 1); }), ContainsSubstring("step = 1 must lie in [1e-6, 1e-3]"));
-    CHECK_THAT(refusal([&] { RadiusDifference(Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), 1.5, radius); }),
+    CHECK_THAT(refusal([&] {
+                   WheelsetOnTrack::RadiusDifference(Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), 1.5, radius);
+               }),
                ContainsSubstring("lateral = 0 must exceed the one before it"));
     const WheelOnRail on_roller = [] {
-        TrackDimensions dimensions;
-        dimensions.rail_origin = TrackDimensions::Origin{rail_y, 0};
+        WheelOnRail::Dimensions dimensions;
+        dimensions.rail_origin = WheelOnRail::Dimensions::Origin{rail_y, 0};
         return WheelOnRail(cone(0.05), RailSurface::roller(arc(0.03, 0.3), 0.5), dimensions);
     }();
     CHECK_THAT(refusal([&] { rigid_contact(on_roller, {}); }), ContainsSubstring("a round wheel on a straight rail"));

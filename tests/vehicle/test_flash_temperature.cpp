@@ -30,13 +30,13 @@ RailPatch ellipse() { return testing::hertz_patch(a, b, load); }
 constexpr double slide = 1;  // [m/s]
 PatchForce sliding(const RollingFriction& friction, double speed = 30) {
     const WheelsetSpeeds speeds{.forward = speed - slide / 2, .pitch_rate = -(speed + slide / 2) / radius};
-    return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction);
+    return patch_force(ellipse(), {}, speeds, WheelOnRail::Dimensions{}, friction);
 }
 
 }  // namespace
 
 TEST_CASE("A band of uniform heat is as hot as Carslaw and Jaeger say, however it is parted", "[profiles]") {
-    const Heating heating;
+    const RollingFriction::Heating heating;
     const double heat = 1e8, speed = 20;
     const Eigen::ArrayXd places{{-a, -a / 2, a / 3, a, 2 * a}};
     const auto of = [&](const Eigen::ArrayXd& edges) {
@@ -52,7 +52,7 @@ TEST_CASE("A band of uniform heat is as hot as Carslaw and Jaeger say, however i
 }
 
 TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "[profiles]") {
-    const Heating heating;
+    const RollingFriction::Heating heating;
     const PatchForce found = sliding({.coefficient = mu, .elements = 40, .strips = 15, .heating = heating});
     REQUIRE(found.status == Status::ok);
     CHECK_THAT(found.slip_work * 30, WithinRel(mu * load * slide, 3e-3));
@@ -79,9 +79,10 @@ TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profil
     band.outline.emplace(Eigen::ArrayXd{{-b, b}}, -ends, ends);
     band.pressure.setConstant(band.peak_pressure);
     band.load = 4 * a * b * band.peak_pressure;
-    const Heating heating;
-    const PatchForce found = patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, TrackDimensions{},
-                                         {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+    const RollingFriction::Heating heating;
+    const PatchForce found =
+        patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, WheelOnRail::Dimensions{},
+                    {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
     REQUIRE(found.status == Status::ok);
     const double heat = mu * slide * band.peak_pressure;
     CHECK_THAT(found.peak_temperature,
@@ -89,9 +90,9 @@ TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profil
 }
 
 TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
-    RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
+    RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = RollingFriction::Heating{}};
     const PatchForce cold = sliding(friction);
-    const auto with = [&](Heating::Friction hot) {
+    const auto with = [&](RollingFriction::Heating::Friction hot) {
         friction.heating->friction = hot;
         return sliding(friction);
     };
@@ -111,10 +112,10 @@ TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]
 }
 
 TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") {
-    RollingFriction friction{.coefficient = mu, .elements = 8, .strips = 7, .heating = Heating{}};
+    RollingFriction friction{.coefficient = mu, .elements = 8, .strips = 7, .heating = RollingFriction::Heating{}};
     const double slow = 9 * friction.heating->diffusivity() / a;
     const WheelsetSpeeds speeds{.forward = slow * 0.99, .pitch_rate = -slow * 1.01 / radius};
-    const auto of = [&] { return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction); };
+    const auto of = [&] { return patch_force(ellipse(), {}, speeds, WheelOnRail::Dimensions{}, friction); };
     CHECK(of().status == Status::ok);
     CHECK(std::isnan(of().peak_temperature));
     friction.heating->friction = {0.1, 0, 100};
@@ -125,15 +126,15 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     friction.heating->friction.reset();
     for (const double creepage : {0.15, 0.3}) {
         const WheelsetSpeeds slips{.forward = 30 * (1 - creepage / 2), .pitch_rate = -30 * (1 + creepage / 2) / radius};
-        const PatchForce found = patch_force(ellipse(), {}, slips, TrackDimensions{}, friction);
+        const PatchForce found = patch_force(ellipse(), {}, slips, WheelOnRail::Dimensions{}, friction);
         CHECK(std::isnan(found.peak_temperature) == (creepage > 0.2));
     }
 }
 
 TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {
     const auto why = [](const RollingFriction& friction) { return refusal([&] { sliding(friction); }); };
-    const auto heated = [&](const Heating& heating) { return why({.heating = heating}); };
-    const auto hot = [&](const Heating::Friction& of) { return heated({.friction = of}); };
+    const auto heated = [&](const RollingFriction::Heating& heating) { return why({.heating = heating}); };
+    const auto hot = [&](const RollingFriction::Heating::Friction& of) { return heated({.friction = of}); };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(why({.coefficient = -1}), ContainsSubstring("coefficient = -1 must be finite and not negative"));
     CHECK_THAT(why({.layer = nan}), ContainsSubstring("layer = nan"));
@@ -167,8 +168,8 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
 }
 
 TEST_CASE("Each strip of a patch has the rail's friction", "[profiles]") {
-    using enum RailFriction::Over;
-    const auto with = [](const RailFriction& rail) {
+    using enum RollingFriction::OnRail::Over;
+    const auto with = [](const RollingFriction::OnRail& rail) {
         return sliding({.coefficient = 9, .elements = 10, .strips = 15, .rail = rail});
     };
     const PatchForce constant = sliding({.coefficient = mu, .elements = 10, .strips = 15}),
@@ -182,14 +183,14 @@ TEST_CASE("Each strip of a patch has the rail's friction", "[profiles]") {
 }
 
 TEST_CASE("Friction over a rail is linear between its nodes", "[profiles]") {
-    using enum RailFriction::Over;
-    const RailFriction rail(angle, {0.1, 0.3}, {0.4, 0.1});
+    using enum RollingFriction::OnRail::Over;
+    const RollingFriction::OnRail rail(angle, {0.1, 0.3}, {0.4, 0.1});
     CHECK(rail.at(0, 9) == 0.4);
     CHECK_THAT(rail.at(0.2, 9), WithinAbs(0.25, 1e-15));
     CHECK(rail.at(0.5, 9) == 0.1);
-    CHECK_THAT(refusal([] { RailFriction(y, {}, {}); }), ContainsSubstring("number of nodes = 0"));
-    CHECK_THAT(refusal([] { RailFriction(y, {1, 1}, {0, 0}); }), ContainsSubstring("node = 1"));
-    CHECK_THAT(refusal([] { RailFriction(y, {1}, {-1}); }), ContainsSubstring("coefficient = -1"));
+    CHECK_THAT(refusal([] { RollingFriction::OnRail(y, {}, {}); }), ContainsSubstring("number of nodes = 0"));
+    CHECK_THAT(refusal([] { RollingFriction::OnRail(y, {1, 1}, {0, 0}); }), ContainsSubstring("node = 1"));
+    CHECK_THAT(refusal([] { RollingFriction::OnRail(y, {1}, {-1}); }), ContainsSubstring("coefficient = -1"));
 }
 
 }  // namespace flash_temperature_tests

@@ -7,8 +7,11 @@
 
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/scene/detail/mirror.hpp>
 #include <rollbem/scene/wheelset.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/normal/detail/mirrored_patch.hpp>
+#include <rollbem/vehicle/detail/mirrored_forces.hpp>
 #include <rollbem/vehicle/detail/patch_elements.hpp>
 
 #include "support/catch.hpp"
@@ -39,7 +42,7 @@ struct Scene {
 
 TEST_CASE("A mirror image of a mirror image is the original", "[profiles]") {
     const Scene scene;
-    const Mirror mirror = GENERATE(Mirror::reversing_x(), Mirror::across_track());
+    const detail::Mirror mirror = GENERATE(detail::Mirror::reversing_x(), detail::Mirror::across_track());
     const RailPatch twice = mirrored(mirrored(scene.patch, mirror), mirror);
     CHECK(twice.x == scene.patch.x);
     CHECK(twice.y == scene.patch.y);
@@ -58,7 +61,7 @@ TEST_CASE("A mirror image of a mirror image is the original", "[profiles]") {
 
 TEST_CASE("Creepages of a mirror image are mirror images of creepages, and forces on them", "[profiles]") {
     const Scene scene;
-    const Mirror mirror = GENERATE(Mirror::reversing_x(), Mirror::across_track());
+    const detail::Mirror mirror = GENERATE(detail::Mirror::reversing_x(), detail::Mirror::across_track());
     const RailPatch patch = mirrored(scene.patch, mirror);
     const WheelsetPosition at = mirrored(scene.at, mirror);
     const WheelsetSpeeds speeds = mirrored(scene.speeds, mirror);
@@ -142,12 +145,14 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
 TEST_CASE("At the gauge corner each strip has the friction of the rail's surface below it", "[profiles]") {
     const Scene scene;
     const RollingFriction friction{
-        .elements = 4, .strips = 9, .rail = RailFriction(RailFriction::Over::y, {-0.05, 0.05}, {0, 1})};
+        .elements = 4,
+        .strips = 9,
+        .rail = RollingFriction::OnRail(RollingFriction::OnRail::Over::y, {-0.05, 0.05}, {0, 1})};
     const PatchForce slides =
         patch_force(scene.patch, scene.at, {.forward = 2, .pitch_rate = -2}, wheel().dimensions(), friction);
     REQUIRE(slides.status == Status::ok);
     double apart = 0;
-    for (const LoadedRectangle& element : slides.surface) {
+    for (const Yield::LoadedRectangle& element : slides.surface) {
         const double y = scene.patch.surface_y((element.y_1 + element.y_2) / 2);
         const double traction = std::hypot(element.traction_x, element.traction_y);
         CHECK(traction == Approx(10 * (y + 0.05) * element.pressure).epsilon(1e-6));
@@ -235,7 +240,7 @@ TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[pr
     const PatchForce found = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction);
     REQUIRE(found.status == Status::ok);
     double square = 0;  // integral of half the squared length
-    const Outline& outline = *scene.patch.outline;
+    const PatchContact::Outline& outline = *scene.patch.outline;
     constexpr int lines = 2000;
     for (int k = 0; k < lines; ++k) {
         const double s = outline.low() + (k + 0.5) / lines * (outline.high() - outline.low()),

@@ -10,6 +10,7 @@
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_wear.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/scene/detail/mirror.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/wear.hpp>
@@ -160,8 +161,8 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces forward = place.by_table(side);
             const WheelForces backwards =
-                contacts().look_up(creep(), side, mirrored(place.position(), Mirror::reversing_x()),
-                                   mirrored(place.speeds(), Mirror::reversing_x()), load, mu);
+                contacts().look_up(creep(), side, detail::mirrored(place.position(), detail::Mirror::reversing_x()),
+                                   detail::mirrored(place.speeds(), detail::Mirror::reversing_x()), load, mu);
             REQUIRE(backwards.status == Status::ok);
             for (std::size_t k = 0; k < forward.points.size(); ++k) {
                 const WheelForces::Point &one = forward.points[k], &image = backwards.points[k];
@@ -241,10 +242,10 @@ TEST_CASE("Wear over a profile takes work at any place, and none without result"
 
 TEST_CASE("Laws of wear", "[wear]") {
     // kg per metre and m^2, of x in N/mm^2
-    const auto rate = [](const WearLaw& law, double x) {
+    const auto rate = [](const ProfileWear::Law& law, double x) {
         return law.depth({.work = 1e6 * x, .pressure = 1e9, .slip = 1e-3, .sliding_velocity = 0.1}) * 7850 / 1e-3;
     };
-    const WearLaw law = WearLaw::t_gamma(), table({2, 4}, {10, 30});
+    const ProfileWear::Law law = ProfileWear::Law::t_gamma(), table({2, 4}, {10, 30});
     for (const auto& [x, k] : {std::array{0.0, 0.0},
                                {5.0, 26.5},
                                {10.4, 55.12},
@@ -258,17 +259,23 @@ TEST_CASE("Laws of wear", "[wear]") {
         CHECK(rate(table, x) == Approx(k).epsilon(1e-12).margin(1e-12));
     }
     // Archard: seizure, mild, severe and again mild wear
-    const WearLaw archard = WearLaw::archard_kth();
+    const ProfileWear::Law archard = ProfileWear::Law::archard_kth();
     for (const auto& [pressure, velocity, k] :
          {std::array{2.5e9, 0.1, 350e-4}, {1e9, 0.1, 5e-4}, {1e9, 0.2, 35e-4}, {1e9, 0.7, 35e-4}, {1e9, 0.8, 5e-4}}) {
         CHECK(archard_coefficient(pressure, velocity) == k);
         CHECK(archard.depth({0, pressure, 1e-3, velocity}) == Approx(k * pressure * 1e-3 / 3e9));
     }
-    CHECK(refusal([] { WearLaw({}, {}); }) == "WearLaw: number of places = 0 must be at least 1");
-    CHECK(refusal([] { WearLaw({1, 1}, {1, 1}); }) == "WearLaw: t_gamma_per_area = 1 must lie above the one before");
-    CHECK(refusal([] { WearLaw({1}, {-1}); }) == "WearLaw: rate = -1 must be finite and not negative");
-    CHECK(refusal([] { WearLaw({1}, {1, 2}); }) == "WearLaw: number of rates = 2 must be the number of places");
-    CHECK(refusal([] { WearLaw::archard_kth(0); }) == "WearLaw: hardness = 0 must be positive and finite");
+    CHECK(refusal([] { ProfileWear::Law({}, {}); }) == "ProfileWear::Law: number of places = 0 must be at least 1");
+    CHECK(refusal([] {
+              ProfileWear::Law({1, 1}, {1, 1});
+          }) == "ProfileWear::Law: t_gamma_per_area = 1 must lie above the one before");
+    CHECK(refusal([] { ProfileWear::Law({1}, {-1}); }) ==
+          "ProfileWear::Law: rate = -1 must be finite and not negative");
+    CHECK(refusal([] {
+              ProfileWear::Law({1}, {1, 2});
+          }) == "ProfileWear::Law: number of rates = 2 must be the number of places");
+    CHECK(refusal([] { ProfileWear::Law::archard_kth(0); }) ==
+          "ProfileWear::Law: hardness = 0 must be positive and finite");
 }
 
 TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
@@ -278,7 +285,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
     rolling.free_pitch = false;
     const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
     const Profile& rail = track().wheel().rail();
-    for (const WearLaw& law : {WearLaw::t_gamma(), WearLaw::archard_kth()}) {
+    for (const ProfileWear::Law& law : {ProfileWear::Law::t_gamma(), ProfileWear::Law::archard_kth()}) {
         ProfileWear wear(rail, 700);
         double sum = 0;
         for (std::size_t i = 0; i < forces.patches[1].size(); ++i) {
@@ -288,7 +295,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
             const PatchForce worn = wear_of(friction, law, speed);
             double own = 0;
             for (Eigen::Index k = 0; k < friction.slip.size(); ++k) {
-                const LoadedRectangle& e = friction.surface[friction.first_element + std::size_t(k)];
+                const Yield::LoadedRectangle& e = friction.surface[friction.first_element + std::size_t(k)];
                 const double area = (e.x_2 - e.x_1) * (e.y_2 - e.y_1), slip = friction.slip[k];
                 own += area * law.depth({friction.work[k] / area, e.pressure, slip, slip * speed});
                 // work is traction times slip where both are taken at one place
@@ -303,7 +310,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
                 const Eigen::Index n = of.strip_work.size();
                 return ((of.edges.head(n) + of.edges.tail(n)) / 2 * of.strip_work).sum() / of.strip_work.sum();
             };
-            const PatchForce even = wear_of(friction, WearLaw({0, 1e6}, {0, 1e6}), speed);
+            const PatchForce even = wear_of(friction, ProfileWear::Law({0, 1e6}, {0, 1e6}), speed);
             CHECK(even.strip_work.sum() == Approx(friction.slip_work * 1e-9 / 7850).epsilon(1e-12));
             CHECK(middle(even) == Approx(middle(friction)).margin(0.05 * friction.edges.maxCoeff()));
         }
@@ -317,7 +324,7 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
         const Profile after = worn_by_area(rail, area, Profile::Use::rail);
         CHECK(area_between(rail, after, Profile::Use::rail) == Approx(1e4 * sum).epsilon(1e-6));
     }
-    CHECK(wear_of({}, WearLaw::t_gamma(), speed).strip_work.size() == 0);
+    CHECK(wear_of({}, ProfileWear::Law::t_gamma(), speed).strip_work.size() == 0);
 }
 
 TEST_CASE("Work of a point without load or without slip", "[wear]") {

@@ -4,13 +4,13 @@
 
 #include "../detail/decl.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/patch_mesh.hpp"
@@ -21,18 +21,10 @@
 
 namespace rollbem {
 
-/// Result of extrapolate().
+namespace detail {
 template <class Value>
-struct Extrapolation {
-    using Real = decltype(std::abs(Value()));
-
-    Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
-    /// |value minus the extrapolation from the two coarser values|: an upper estimate of the absolute error in value.
-    Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
-    /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
-    Real observed_order = std::numeric_limits<Real>::quiet_NaN();
-    Status status = Status::not_finite;  ///< order_differs: the finest value is returned unchanged
-};
+struct Extrapolation;
+}  // namespace detail
 
 /// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
 /// elements. Whether p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
@@ -47,37 +39,13 @@ Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<de
 /// order must lie within `band` of it. Otherwise the status is order_differs, as on meshes that are too coarse, for
 /// schemes whose error changes sign (the uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve.
 /// Values that agree to rounding count as converged. `solve` takes a number of elements and returns a real or complex
-/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on
-/// exceptions of solve.
+/// number. The result has `value`, extrapolated from the two finer values (the finest value unless `status` is ok),
+/// `error_estimate`, |value minus the extrapolation from the two coarser values|, an upper estimate of the absolute
+/// error, and `observed_order`, log2 |(coarse - middle)/(middle - fine)|, NaN if the values agree to rounding. Throws
+/// std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on exceptions of solve.
 template <class Solve>
 auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
-    -> Extrapolation<std::decay_t<decltype(solve(n))>> {
-    using Value = std::decay_t<decltype(solve(n))>;
-    using Real = typename Extrapolation<Value>::Real;
-    detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
-    detail::require_positive("extrapolate", "order", order);
-    detail::require_positive("extrapolate", "band", band);
-    const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
-    Extrapolation<Value> result;
-    result.value = fine;
-    const Real before = std::abs(coarse - middle), last = std::abs(middle - fine);
-    if (!detail::is_finite(before) || !detail::is_finite(last) || !detail::is_finite(fine)) return result;
-    const Real rounding = static_cast<Real>(64 * n) * std::numeric_limits<Real>::epsilon() * std::abs(fine);
-    if (before <= rounding && last <= rounding) {
-        result.error_estimate = rounding;
-        result.status = Status::ok;
-        return result;
-    }
-    result.observed_order = std::log2(before / last);
-    result.status = Status::order_differs;
-    const Value extrapolated = richardson(middle, fine, static_cast<Real>(order));
-    result.error_estimate = std::abs(extrapolated - richardson(coarse, middle, static_cast<Real>(order)));
-    const Real difference = std::abs(result.observed_order - static_cast<Real>(order));
-    if (!detail::is_finite(difference) || !(difference <= static_cast<Real>(band))) return result;
-    result.value = extrapolated;
-    result.status = Status::ok;
-    return result;
-}
+    -> detail::Extrapolation<std::decay_t<decltype(solve(n))>>;
 
 /// The purpose of a scheme, and the relative error that its tolerance limits: Purpose::steady, Purpose::frequency,
 /// Purpose::time_loop, Purpose::friction. Full adhesion and friction have different types because different kinds of
@@ -121,14 +89,7 @@ struct Recommendation {
     ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
     ///     const double by_elements = recommended_elements(1e-6, Purpose::steady).evaluate(c11);
     template <class Scalar = double, class Solve>
-    auto evaluate(const Solve& solve) const {
-        if constexpr (std::is_same_v<Scheme, Chebyshev>) {
-            return solve(scheme);
-        } else {
-            auto fine = solve(mesh<Scalar>(n), scheme);
-            return order > 0 ? richardson(solve(mesh<Scalar>(n / 2), scheme), fine, static_cast<Scalar>(order)) : fine;
-        }
-    }
+    auto evaluate(const Solve& solve) const;
 };
 
 /// An element scheme that is stable and among the cheapest of elements, whose relative error stays below the tolerance
@@ -215,14 +176,11 @@ Recommendation<PatchMesh<double>> recommended_patch(double tolerance, double a_o
 ///
 /// d force / dV at constant slip velocities is this times the duration of the step.
 template <class Step>
-auto tangent_by_distance(double dq, double a, const Step& force_at) {
-    const double change = 1e-5 * (std::max)(dq, a);
-    const double weight = 1 / (2 * change);
-    if (dq >= change) return weight * force_at(dq + change) + -weight * force_at(dq - change);
-    return 4 * weight * force_at(dq + change) + -3 * weight * force_at(dq) + -weight * force_at(dq + 2 * change);
-}
+auto tangent_by_distance(double dq, double a, const Step& force_at);
 
 }  // namespace rollbem
+
+#include "impl/recommendation.tpp"
 
 #ifndef ROLLBEM_COMPILED
 #include "impl/recommendation.ipp"

@@ -14,52 +14,9 @@
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
+#include "detail/factorised.hpp"
 
 namespace rollbem {
-
-namespace detail {
-
-/// A factorised problem before its residual is known.
-template <class Value>
-struct Factorised {
-    Response<Value> response;
-    typename Response<Value>::Scalar norm;  ///< |A| in the maximum norm
-    bool finite;                            ///< whether A, the unknowns and the coefficients are finite
-};
-
-/// Factorises A in place and solves A p = inputs.
-template <class Value, class Scalar>
-Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs);
-
-/// The response with residual and status; `product` is the original A times the unknowns.
-template <class Value, class Scalar>
-Response<Value> judge(Factorised<Value> factorised, MatrixX<Value> product, const MatrixX<Scalar>& inputs);
-
-template <class Value, class Scalar>
-Response<Value> solve_copied(MatrixX<Value> A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs);
-
-/// Sets Status::assists_creepage unless the tractions of steady rolling oppose the creepage.
-template <class Value>
-void judge_tractions(const MatrixX<typename Response<Value>::Scalar>& steady,
-                     const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response);
-
-template <class Scalar>
-void require_equations(const MatrixX<Scalar>& G_prime);
-
-template <class Scalar>
-void require_growth(const char* who, const std::complex<Scalar>& s);
-
-/// The divisor of equations in G' - s G that prevents overflow for any finite s.
-template <class Scalar>
-Scalar equation_scale(const std::complex<Scalar>& s) {
-    return (std::max)({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
-}
-
-/// Solves (G' - s G) p = inputs, without judging the tractions of steady rolling.
-template <class Scalar>
-Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s);
-
-}  // namespace detail
 
 /// Steady rolling: G' p = inputs, for ready matrices (G' n x n in units of 1/G, inputs and outputs n x k). G' is passed
 /// by value: the factors overwrite it. Throws std::invalid_argument if sizes do not fit.

@@ -71,22 +71,11 @@ StabilityVerdict judge_stability(const std::vector<RollingSystem<double>>& subsy
 /// Shapes between two nodes are assumed to behave like the nodes.
 template <class Shapes>
 requires requires(const Shapes& shapes) { shapes.subsystems(shapes.node_count()); }
-StabilityVerdict judge_stability(const Shapes& shapes) {
-    StabilityVerdict worst{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (std::size_t node = 0; node < shapes.node_count(); ++node) {
-        const StabilityVerdict own = judge_stability(shapes.subsystems(node));
-        worst.n = own.n;
-        worst.decay_proved = (node == 0 || worst.decay_proved) && own.stable();
-        worst.unstable_count = (std::max)(worst.unstable_count, own.unstable_count);
-        worst.settled_unstable_count = (std::max)(worst.settled_unstable_count, own.settled_unstable_count);
-        worst.uncertain_count = (std::max)(worst.uncertain_count, own.uncertain_count);
-        worst.spectral_abscissa = (std::max)(worst.spectral_abscissa, own.spectral_abscissa);
-        if (worst.status == Status::ok) worst.status = own.status;
-    }
-    return worst;
-}
+StabilityVerdict judge_stability(const Shapes& shapes);
 
 }  // namespace rollbem
+
+#include "impl/stability.tpp"
 
 #ifndef ROLLBEM_COMPILED
 #include "impl/stability.ipp"

@@ -154,29 +154,13 @@ public:
     /// - if the contact's half-width is infinite or differs from the half-width of the system's kernel,
     /// - if the system has another number of inputs than 1, or 3 with two directions.
     AdhesionModel(const Contact& contact, RollingSystem<double> system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2)
-        : AdhesionModel(Units(contact), std::move(system), integrator) {
-        detail::require_same_aspect(name, contact, system_);
-        detail::require_usable_in_time(name, system_, verdict);
-    }
+                  Integrator integrator = Integrator::sdirk2);
 
     /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
     /// the verdict on system.joined(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<double, 2>& system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(directions == 2)
-        : AdhesionModel(Units(contact), system.joined(), integrator) {
-        if constexpr (std::is_same_v<AnyContact, Contact>) {
-            detail::require_same_aspect(name, contact, system);
-        } else {
-            detail::require_same_shape(name, contact, system);
-        }
-        shapes_ = system.shapes();
-        a_over_b_ = system.a_over_b();
-        detail::require(system.elements().places_are_known(), name, "number of places of elements",
-                        system.elements().x.size(), "equal the number of elements: spin needs them");
-        detail::require_usable_in_time(name, system, verdict);
-    }
+                  Integrator integrator = Integrator::sdirk2) requires(directions_ == 2);
 
     Eigen::Index size() const { return forces_.columns().rows(); }  ///< number of unknowns
     std::uint64_t fingerprint() const { return fingerprint_; }      ///< identifies system and contact
@@ -243,26 +227,13 @@ private:
 
     // The number of times to halve the step until the norm of w is at most 1/16, where r(w) of eighth order gives e^w
     // to rounding. The upper limit matters only if G is singular to rounding: the modes it affects decay at once.
-    int count_doublings(double h) const {
-        if (!is_exponential() || !(h > 0)) return 0;
-        const double norm = 16 * h * rates_norm_;
-        return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
-    }
+    int count_doublings(double h) const;
 
     static void solve(MatrixX<double> matrix, MatrixX<double>& right);
 
     Status check(const State& from, const SemiAxes& semi_axes, const State& to,
-                 const Workspace& workspace) const noexcept {
-        const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
-                          to.traction.size() == size() && workspace.size() == size() &&
-                          are_lengths({from.half_length, from.half_width});
-        if (!fits) return Status::wrong_state;
-        return are_lengths(semi_axes) ? Status::ok : Status::invalid_load;
-    }
-    Status check_growth(double distance, const Axes& start, const Axes& end) const noexcept {
-        return detail::check_growth(can_breathe(), system_.half_length_limit(), shapes_.get(), a_over_b_, distance,
-                                    start, end);
-    }
+                 const Workspace& workspace) const noexcept;
+    Status check_growth(double distance, const Axes& start, const Axes& end) const noexcept;
 
     bool are_lengths(const SemiAxes& axes) const noexcept {
         return detail::are_positive({axes.half_length, units_.line ? 1.0 : axes.half_width});
@@ -274,52 +245,19 @@ private:
 
     // Forces per unit of each creepage j, which causes unknowns(j).
     template <class Unknowns>
-    Square forces_of(const Unknowns& unknowns, const Axes& at) const {
-        Square result;
-        for (std::size_t j = 0; j < By::creepages; ++j) {
-            result.col(static_cast<Eigen::Index>(j)) = forces_.of(unknowns(j), at);
-        }
-        return result;
-    }
+    Square forces_of(const Unknowns& unknowns, const Axes& at) const;
 
     // Makes `to` a copy of `from`, for a result that is not finite.
-    static Step fail(const State& from, State& to) noexcept {
-        to.traction = from.traction;
-        to.half_length = from.half_length;
-        to.half_width = from.half_width;
-        to.distance = from.distance;
-        return detail::failed<Step>(Status::not_finite);
-    }
+    static Step fail(const State& from, State& to) noexcept;
     // Completes `to`, whose tractions are known, and returns the result.
     Step finish(const State& from, const SemiAxes& semi_axes, double dq, const Square& tangent,
-                State& to) const noexcept {
-        to.half_length = semi_axes.half_length;
-        to.half_width = semi_axes.half_width;
-        to.system = fingerprint_;
-        to.distance = dq;
-        const Inputs force = forces_.of(to.traction, axes(to));
-        if (!detail::all_finite(force) || !detail::all_finite(tangent)) return fail(from, to);
-        Step step;
-        step.force = force_along(force);
-        if (units_.line) step.force_per_width = force_along(force / units_.width);
-        for (std::size_t j = 0; j < By::creepages; ++j) {
-            detail::by_creepage(step.tangent, j) = force_along(tangent.col(static_cast<Eigen::Index>(j)));
-        }
-        step.status = Status::ok;
-        return step;
-    }
+                State& to) const noexcept;
 
     using TimeStep = detail::TimeStep<directions>;
     using Problem = detail::AdhesionProblem<directions>;
 
     // The semi-axes at the end of a step.
-    SemiAxes semi_axes(const State& from, const RollingStep& step) const noexcept {
-        if constexpr (directions == 1) {
-            return {step.load.value_or(from.half_length), from.half_width};
-        } else {
-            return step.load.value_or(SemiAxes{from.half_length, from.half_width});
-        }
-    }
+    SemiAxes semi_axes(const State& from, const RollingStep& step) const noexcept;
     // Whether a step needs the equations of other semi-axes than the contact's.
     bool reshapes(const TimeStep& step, const Problem& problem) const {
         return shapes_ && (problem.asked[By::half_length] || step.start != contact_axes || step.end != contact_axes);

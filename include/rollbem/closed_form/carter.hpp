@@ -38,20 +38,9 @@ struct EdgeDistances {
     Scalar trailing, leading;
 
     /// Throws std::invalid_argument if the distances break the invariant.
-    EdgeDistances(Scalar from_trailing, Scalar from_leading) : trailing(from_trailing), leading(from_leading) {
-        const char* const who = "EdgeDistances";
-        detail::require(detail::is_finite(trailing) && trailing >= 0, who, "trailing", trailing, "be at least 0");
-        detail::require(detail::is_finite(leading) && leading >= 0, who, "leading", leading, "be at least 0");
-        const Scalar sum = trailing + leading;
-        detail::require(std::abs(sum - 2) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), who,
-                        "trailing + leading", sum, "be 2");
-    }
+    EdgeDistances(Scalar from_trailing, Scalar from_leading);
     /// The position x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    static EdgeDistances at(Scalar x_over_a) {
-        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= 1, "EdgeDistances", "x/a", x_over_a,
-                        "lie in [-1, 1]");
-        return {1 + x_over_a, 1 - x_over_a};
-    }
+    static EdgeDistances at(Scalar x_over_a);
 };
 
 /// Carter's traction p/(G xi) = -sqrt((a-x)/(a+x))/(2(1-nu)) (negative; minus infinity at the trailing edge). Throws

@@ -89,8 +89,8 @@ PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scala
 /// Any outline, in units of `unit`, e.g. c. `across` divides its height, from -1 at the smallest y to 1 at the largest.
 /// A strip lies between the edges of the outline at the middle of its width.
 template <class Scalar>
-PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
-                               const Mesh<Scalar>& across);
+PatchMesh<Scalar> outline_mesh(const PatchContact::Outline& outline, std::type_identity_t<Scalar> unit,
+                               Mesh<Scalar> along, const Mesh<Scalar>& across);
 
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.

@@ -53,13 +53,7 @@ public:
 
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage and (1, -nu) for lateral. Throws
     /// std::invalid_argument unless b > 0 and c1 and c2 are finite.
-    PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
-        : b_(half_width),
-          lambda_(detail::plane_lambda_of(half_width, c2 / c1)),
-          strength_(2 * c1 / std::numbers::pi_v<Scalar>),
-          constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
-        detail::check_line_kernel("PlaneKernel", half_width, c1, c2);
-    }
+    PlaneKernel(Scalar half_width, Scalar c1, Scalar c2);
 
     static PlaneKernel longitudinal(const Contact& contact) {
         return detail::longitudinal_kernel<PlaneKernel>(contact);
@@ -100,9 +94,7 @@ public:
 
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage and (1, -nu) for lateral. Throws
     /// std::invalid_argument unless b > 0 and c1 and c2 are finite.
-    StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
-        detail::check_line_kernel("StripKernel", half_width, c1, c2);
-    }
+    StripKernel(Scalar half_width, Scalar c1, Scalar c2);
 
     static StripKernel longitudinal(const Contact& contact) {
         return detail::longitudinal_kernel<StripKernel>(contact);
@@ -116,16 +108,9 @@ public:
     SmoothSplit<Scalar> smooth_split() const { return {scale() * (c1_ * std::log(2 * b_) + c2_), scale() * c1_, b_}; }
 
     /// (2/pi) [c1 ln((b + r)/(2b)) + c2 (b/r - 1)] with r - b = x^2/(r + b): nothing cancels in wide strips.
-    Scalar smooth_part(Scalar x) const {
-        const Scalar r = std::sqrt(x * x + b_ * b_), rise = x * x / (r + b_);
-        return scale() * (c1_ * std::log1p(rise / (2 * b_)) - c2_ * (rise / r));
-    }
+    Scalar smooth_part(Scalar x) const;
     /// Written in x/r and b/r so that nothing overflows or cancels.
-    Scalar smooth_slope(Scalar x) const {
-        if (!detail::is_finite(b_)) return 0;
-        const Scalar r = std::sqrt(x * x + b_ * b_), inverse = 1 / r;
-        return scale() * (x * inverse) * (c1_ / (b_ + r) - c2_ * (b_ * inverse) * inverse);
-    }
+    Scalar smooth_slope(Scalar x) const;
 
 private:
     static constexpr Scalar scale() { return 2 / std::numbers::pi_v<Scalar>; }
@@ -159,10 +144,7 @@ public:
     using Scalar = Scalar_;
 
     /// half_width, c1 and c2 as in both kernels.
-    AnyKernel(LineModel model, Scalar half_width, Scalar c1, Scalar c2)
-        : is_plane_(model == LineModel::plane || !detail::is_finite(half_width)),
-          plane_(half_width, c1, c2),
-          strip_(half_width, c1, c2) {}
+    AnyKernel(LineModel model, Scalar half_width, Scalar c1, Scalar c2);
 
     static AnyKernel longitudinal(LineModel model, const Contact& contact) {
         return detail::longitudinal_kernel<AnyKernel>(contact, model);
@@ -215,16 +197,9 @@ public:
 
     /// `compliance` L in units of a/G: L [m/Pa] times G [Pa] over a [m]. Throws std::invalid_argument unless it is
     /// finite and not negative.
-    LayeredKernel(Kernel kernel, std::type_identity_t<Scalar> compliance)
-        : kernel_(std::move(kernel)), compliance_(compliance) {
-        detail::require_not_negative("LayeredKernel", "compliance", compliance);
-    }
+    LayeredKernel(Kernel kernel, std::type_identity_t<Scalar> compliance);
 
-    SmoothSplit<Scalar> smooth_split() const {
-        SmoothSplit<Scalar> split = kernel_.smooth_split();
-        split.compliance += compliance_;
-        return split;
-    }
+    SmoothSplit<Scalar> smooth_split() const;
     Scalar smooth_part(Scalar x) const { return kernel_.smooth_part(x); }
     Scalar smooth_slope(Scalar x) const { return kernel_.smooth_slope(x); }
 
@@ -242,3 +217,5 @@ private:
 };
 
 }  // namespace rollbem
+
+#include "impl/line_kernel.tpp"

@@ -71,65 +71,26 @@ public:
 
     /// L = h_3/G_3 of the layer, times G, in the unit of length of the patch. Throws std::invalid_argument unless 0 <=
     /// nu <= 0.5 and 0 <= L < inf.
-    explicit HalfSpace(Scalar poisson_ratio, std::type_identity_t<Scalar> layer_compliance = 0)
-        : nu_(poisson_ratio), layer_(layer_compliance) {
-        detail::require_poisson_ratio("HalfSpace", nu_);
-        detail::require_not_negative("HalfSpace", "layer_compliance", layer_);
-    }
+    explicit HalfSpace(Scalar poisson_ratio, std::type_identity_t<Scalar> layer_compliance = 0);
 
     bool couples() const { return nu_ != 0; }
     Scalar layer_compliance() const { return layer_; }
 
-    RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const {
-        const Scalar r = std::sqrt(x * x + y * y);
-        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
-        // each product is 0 where its first factor is
-        const Scalar along = std::copysign(x, x * y) * area_sine(height, width, r);
-        const Scalar across = std::copysign(y, x * y) * area_sine(width, height, r);
-        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
-        return {over_pi * ((1 - nu_) * along + across), -over_pi * nu_ * r, over_pi * (along + (1 - nu_) * across)};
-    }
+    RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const;
 
-    RectangleInfluence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const {
-        const Scalar r = (std::max)(std::sqrt(x * x + y * y), least);
-        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
-        const Scalar angle = std::copysign(area_sine(width, height, r), x), shear = nu_ * x / r;
-        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
-        return {over_pi * (angle - shear), -over_pi * nu_ * y / r, over_pi * ((1 - nu_) * angle + shear)};
-    }
+    RectangleInfluence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const;
 
     /// -nu/(2 pi) (y r + x^2 asinh(y/|x|) - y |y|), which grows like x^2 only.
-    Scalar coupling_integral(Scalar x, Scalar y) const {
-        const Scalar r = std::sqrt(x * x + y * y);
-        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
-        const Scalar sum = height / (r + height) + area_sine(height, width, r);
-        return -nu_ * std::numbers::inv_pi_v<Scalar> / 2 * x * x * std::copysign(sum, y);
-    }
+    Scalar coupling_integral(Scalar x, Scalar y) const;
 
     /// nu/pi (asinh(y/|x|) - y/r).
-    Scalar line_coupling_integral(Scalar x, Scalar y) const {
-        const Scalar r = (std::max)(std::sqrt(x * x + y * y), least);
-        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
-        return nu_ * std::numbers::inv_pi_v<Scalar> * (std::copysign(area_sine(height, width, r), y) - y / r);
-    }
+    Scalar line_coupling_integral(Scalar x, Scalar y) const;
 
-    RectangleInfluence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {
-        const Scalar r0 = std::sqrt(x * x + y0 * y0), r1 = std::sqrt(x * x + y1 * y1);
-        // (y0/r0 - y1/r1)/x, whose numerator cancels if both have the same sign
-        const Scalar angle =
-            y0 * y1 > 0 ? x * (y0 - y1) * (y0 + y1) / (r0 * r1 * (y0 * r1 + y1 * r0)) : (y0 / r0 - y1 / r1) / x;
-        const Scalar cube0 = r0 * r0 * r0, cube1 = r1 * r1 * r1;
-        const Scalar shear = nu_ * x * (y0 / cube0 - y1 / cube1);
-        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
-        return {over_pi * ((nu_ - 1) * angle - shear), over_pi * nu_ * (y1 * y1 / cube1 - y0 * y0 / cube0),
-                over_pi * (shear - angle)};
-    }
+    RectangleInfluence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const;
 
 private:
     // asinh(p/q), p and q positive, r = sqrt(p^2 + q^2); to all digits where it is small
-    static Scalar area_sine(Scalar p, Scalar q, Scalar r) {
-        return p < q ? std::log1p(p / q * (1 + p / (q + r))) : std::log((p + r) / q);
-    }
+    static Scalar area_sine(Scalar p, Scalar q, Scalar r);
 
     // far below any distance, and the ratio of a distance to it does not overflow
     static constexpr Scalar least = detail::negligible<Scalar>;
@@ -138,3 +99,5 @@ private:
 };
 
 }  // namespace rollbem
+
+#include "impl/patch_kernel.tpp"

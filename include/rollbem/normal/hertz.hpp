@@ -54,7 +54,65 @@ struct CombinedBodies {
 /// \endcode
 class HertzLine {
 public:
-    class Load;  // below
+    /// Makes the NormalLoad of a load per width P [N/m], for two cylinders with the radius and moduli of a HertzLine.
+    ///
+    /// \code
+    /// #include <rollbem/line.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+    ///     const HertzLine line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+    ///     const auto hertz = HertzLine::Load::breathing(line, cosine_mesh(20));
+    ///     NormalLoad load = hertz.at(2.5e6);
+    ///     if (hertz.set(2.6e6, load) != Status::ok) return 1;  // no allocation
+    ///     return load.half_length > line.half_length() ? 0 : 1;
+    /// }
+    /// \endcode
+    ///
+    /// A step under the load has the derivative by P tangent_by_load + half_length_rate(P) * tangent_by_half_length.
+    class Load {
+    public:
+        /// The mesh follows the contact: half-length a(P), the shape of the pressures constant.
+        static Load breathing(const HertzLine& line, const Mesh<double>& mesh) {
+            return Load(line, mesh, std::nullopt);
+        }
+
+        /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of
+        /// the contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
+        /// 0 < half_length < inf.
+        static Load fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length);
+
+        bool breathes() const { return !fixed_; }
+
+        /// a [m] of the contact under P [N/m] >= 0.
+        double half_length(double load_per_width) const;
+
+        /// d NormalLoad::half_length / dP [m^2/N]: da/dP if the mesh breathes, 0 if it is fixed.
+        double half_length_rate(double load_per_width) const;
+
+        /// Sets pressures, their derivatives with respect to P, and the half-length of the mesh. A fixed mesh without
+        /// load, P = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also
+        /// returns, if P is negative or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh
+        /// that breathes: it would have no length.
+        Status set(double load_per_width, NormalLoad& load) const noexcept;
+
+        /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
+        NormalLoad at(double load_per_width) const;
+
+    private:
+        Load(const HertzLine& line, const Mesh<double>& mesh, const std::optional<double>& half_length);
+
+        Eigen::Index size() const { return mesh_.size(); }
+
+        // Sets the load of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
+        void cover(double load_per_width, double a, NormalLoad& load) const noexcept;
+
+        double load_per_width_, half_length_;  // of the line
+        Mesh<double> mesh_;
+        ArrayX<double> mean_;
+        std::optional<double> fixed_;  // half-length of a fixed mesh [m]
+    };
 
     /// Hertz's pressure p0 sqrt(1 - x^2/a^2) as a PressureLaw.
     struct Pressure {
@@ -133,8 +191,6 @@ struct ElementPressures {
 /// \endcode
 class HertzEllipse {
 public:
-    class Load;  // below
-
     /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite
     /// if flat, never zero.
     struct Radii {
@@ -152,6 +208,86 @@ public:
     };
 
     using Pressures = detail::ElementPressures;
+
+    /// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as
+    /// after HertzEllipse::along_rolling().
+    ///
+    /// \code
+    /// #include <rollbem/patch.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+    ///     const double flat = std::numeric_limits<double>::infinity();
+    ///     const HertzEllipse ellipse(
+    ///         {.load = 80e3, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel});
+    ///     const PatchContact contact = ellipse.contact();
+    ///     const auto hertz = HertzEllipse::Load::breathing(ellipse, contact, patch_mesh(contact, 8, 8));
+    ///     NormalLoad load = hertz.at(80e3);
+    ///     return hertz.set(85e3, load) == Status::ok && load.half_width > contact.half_width() ? 0 : 1;
+    /// }
+    /// \endcode
+    ///
+    /// A step under the load has the derivative by N tangent_by_load + half_length_rate(N) * tangent_by_half_length +
+    /// half_width_rate(N) * tangent_by_half_width.
+    class Load {
+    public:
+        /// The mesh, made for `contact`, follows the ellipse: semi-axes a(N) and b(N), the shape of the pressures
+        /// constant. Throws std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and
+        /// y.
+        static Load breathing(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
+            return Load(ellipse, contact, mesh, false);
+        }
+
+        /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws
+        /// std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
+        static Load fixed(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
+            return Load(ellipse, contact, mesh, true);
+        }
+
+        bool breathes() const { return !fixed_; }
+
+        /// a and b [m] of the ellipse under N [N] >= 0.
+        SemiAxes semi_axes(double load) const;
+
+        /// Derivatives of the semi-axes of the mesh by N [m/N]: 0 if it is fixed.
+        double half_length_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
+        double half_width_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
+
+        /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A
+        /// fixed mesh without load, N = 0, has no pressure. The status is invalid_load, which a step under the
+        /// resulting `load` also returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse,
+        /// or if N = 0 on a mesh that follows it: it would have no size. It is unresolved, with all of `result` set, if
+        /// the ellipse under N > 0 is smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an
+        /// integral for each element.
+        Status set(double load, NormalLoad& result) const noexcept { return set(load, semi_axes(load), result); }
+
+        /// Sets pressures for other bodies, radii or load; the status is also invalid_load if their axes do not lie
+        /// along x and y.
+        Status set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept;
+
+        /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is invalid_load.
+        NormalLoad at(double load) const;
+
+    private:
+        Load(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh, bool fixed);
+
+        Eigen::Index size() const { return shape_.size(); }
+
+        Status set(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
+
+        bool is_covered(const SemiAxes& ellipse) const;
+
+        Status cover(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
+
+        double load_;       // of the ellipse
+        SemiAxes ellipse_;  // its semi-axes
+        SemiAxes axes_;     // semi-axes for which the mesh was made
+        SemiAxes least_;    // smallest semi-axes that a fixed mesh resolves
+        std::vector<PatchMesh<double>::Rectangle> elements_;
+        ArrayX<double> shape_;  // pressures for N = a b = 1
+        bool fixed_;
+    };
 
     /// Throws std::invalid_argument naming the parameter that is out of range, or if the bodies do not separate in all
     /// directions: both principal curvatures of the gap must be positive.
@@ -207,146 +343,9 @@ ArrayX<double> hertz_pressures(const PatchContact& contact, const std::vector<Pa
 /// The mean pressures [Pa] of the elements of the patch's mesh.
 ArrayX<double> hertz_pressures(const PatchContact& contact, const PatchMesh<double>& mesh, double load);
 
-/// Makes the NormalLoad of a load per width P [N/m], for two cylinders with the radius and moduli of a HertzLine.
-///
-/// \code
-/// #include <rollbem/line.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
-///     const HertzLine line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
-///     const auto hertz = HertzLine::Load::breathing(line, cosine_mesh(20));
-///     NormalLoad load = hertz.at(2.5e6);
-///     if (hertz.set(2.6e6, load) != Status::ok) return 1;  // no allocation
-///     return load.half_length > line.half_length() ? 0 : 1;
-/// }
-/// \endcode
-///
-/// A step under the load has the derivative by P tangent_by_load + half_length_rate(P) * tangent_by_half_length.
-class HertzLine::Load {
-public:
-    /// The mesh follows the contact: half-length a(P), the shape of the pressures constant.
-    static Load breathing(const HertzLine& line, const Mesh<double>& mesh) { return Load(line, mesh, std::nullopt); }
-
-    /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of the
-    /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
-    /// 0 < half_length < inf.
-    static Load fixed(const HertzLine& line, const Mesh<double>& mesh, double half_length);
-
-    bool breathes() const { return !fixed_; }
-
-    /// a [m] of the contact under P [N/m] >= 0.
-    double half_length(double load_per_width) const;
-
-    /// d NormalLoad::half_length / dP [m^2/N]: da/dP if the mesh breathes, 0 if it is fixed.
-    double half_length_rate(double load_per_width) const;
-
-    /// Sets pressures, their derivatives with respect to P, and the half-length of the mesh. A fixed mesh without load,
-    /// P = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also returns, if P
-    /// is negative or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh that breathes: it
-    /// would have no length.
-    Status set(double load_per_width, NormalLoad& load) const noexcept;
-
-    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
-    NormalLoad at(double load_per_width) const;
-
-private:
-    Load(const HertzLine& line, const Mesh<double>& mesh, const std::optional<double>& half_length)
-        : line_(line), mesh_(mesh), mean_(mean_hertz_pressure(mesh)), fixed_(half_length) {}
-
-    Eigen::Index size() const { return mesh_.size(); }
-
-    // Sets the load of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
-    void cover(double load_per_width, double a, NormalLoad& load) const noexcept;
-
-    HertzLine line_;
-    Mesh<double> mesh_;
-    ArrayX<double> mean_;
-    std::optional<double> fixed_;  // half-length of a fixed mesh [m]
-};
-
 /// The smallest ellipse [m] that the fixed mesh of a contact resolves, three strips wide and three elements long in the
 /// middle of the mesh. On narrower ellipses forces are too large (docs/patch.md).
 SemiAxes least_resolved(const PatchContact& contact, const PatchMesh<double>& mesh);
-
-/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as after
-/// HertzEllipse::along_rolling().
-///
-/// \code
-/// #include <rollbem/patch.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const ElasticBody steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
-///     const double flat = std::numeric_limits<double>::infinity();
-///     const HertzEllipse ellipse(
-///         {.load = 80e3, .radii_1 = {0.46, flat}, .radii_2 = {flat, 0.3}, .body_1 = steel, .body_2 = steel});
-///     const PatchContact contact = ellipse.contact();
-///     const auto hertz = HertzEllipse::Load::breathing(ellipse, contact, patch_mesh(contact, 8, 8));
-///     NormalLoad load = hertz.at(80e3);
-///     return hertz.set(85e3, load) == Status::ok && load.half_width > contact.half_width() ? 0 : 1;
-/// }
-/// \endcode
-///
-/// A step under the load has the derivative by N tangent_by_load + half_length_rate(N) * tangent_by_half_length +
-/// half_width_rate(N) * tangent_by_half_width.
-class HertzEllipse::Load {
-public:
-    /// The mesh, made for `contact`, follows the ellipse: semi-axes a(N) and b(N), the shape of the pressures constant.
-    /// Throws std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
-    static Load breathing(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
-        return Load(ellipse, contact, mesh, false);
-    }
-
-    /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws
-    /// std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
-    static Load fixed(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh) {
-        return Load(ellipse, contact, mesh, true);
-    }
-
-    bool breathes() const { return !fixed_; }
-
-    /// a and b [m] of the ellipse under N [N] >= 0.
-    SemiAxes semi_axes(double load) const;
-
-    /// Derivatives of the semi-axes of the mesh by N [m/N]: 0 if it is fixed.
-    double half_length_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
-    double half_width_rate(double load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
-
-    /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A
-    /// fixed mesh without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting
-    /// `load` also returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on
-    /// a mesh that follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under
-    /// N > 0 is smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an integral for each
-    /// element.
-    Status set(double load, NormalLoad& result) const noexcept { return set(load, semi_axes(load), result); }
-
-    /// Sets pressures for other bodies, radii or load; the status is also invalid_load if their axes do not lie along x
-    /// and y.
-    Status set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept;
-
-    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is invalid_load.
-    NormalLoad at(double load) const;
-
-private:
-    Load(const HertzEllipse& ellipse, const PatchContact& contact, const PatchMesh<double>& mesh, bool fixed);
-
-    Eigen::Index size() const { return shape_.size(); }
-
-    Status set(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
-
-    bool is_covered(const SemiAxes& ellipse) const;
-
-    Status cover(double load, const SemiAxes& ellipse, NormalLoad& result) const noexcept;
-
-    HertzEllipse ellipse_;
-    SemiAxes axes_;   // semi-axes for which the mesh was made
-    SemiAxes least_;  // smallest semi-axes that a fixed mesh resolves
-    std::vector<PatchMesh<double>::Rectangle> elements_;
-    ArrayX<double> shape_;  // pressures for N = a b = 1
-    bool fixed_;
-};
 
 }  // namespace rollbem
 

@@ -42,6 +42,26 @@ public:
         std::array<double, 2> slope, bend;  ///< d(y, z)/ds [-] and d2(y, z)/ds2 [1/m]
     };
 
+    /// A rigid motion, moved(angle, dy, dz), and how well the moved profile fits: the result of align().
+    struct Alignment {
+        double angle, dy, dz;  ///< [rad], [m], [m]
+        double residual;       ///< root mean square of the distances from the reference's parts that count [m]
+        double share;          ///< of the parts' length that counts [-]: the rest is worn, or not measured
+    };
+
+    /// The result of flange_sizes(): the sizes of EN 15313 [m]; NaN where the profile has no such place.
+    struct FlangeSizes {
+        double height;     ///< Sh, from the tape circle's point down to the tip
+        double thickness;  ///< Sd, from the flange's back to its face 10 mm below the tape circle's point
+        double qr;         ///< qR, along y from that place of the face to the face 2 mm above the tip
+    };
+
+    /// The result of rail_wear(): what is missing of a rail's head [m]; NaN where one of both has no such place.
+    struct RailWear {
+        double vertical;  ///< at y = 0
+        double side;      ///< on the inner side, `depth` below the top of the rail before
+    };
+
     /// Takes points in the order of the curve, from either end. Throws std::invalid_argument if they break the
     /// invariant, naming the point by its number from 1.
     Profile(Eigen::ArrayXd y, Eigen::ArrayXd z, Use use = Use::rail);

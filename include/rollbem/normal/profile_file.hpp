@@ -42,13 +42,22 @@ struct ProfileFile {
     struct Placing {
         std::optional<double> cant{};  ///< inward turn [rad]; 0 for a profile that is canted already; 1:40 without it
         double roller_radius = 0;      ///< [m] from the axle to the profile's z = 0; 0: a rail
-        /// Whether the profile is turned about its origin, in the sense of TrackDimensions::rail_origin. Otherwise a
-        /// standard rail has its origin at its highest point, turned or not.
+        /// Whether the profile is turned about its origin, in the sense of WheelOnRail::Dimensions::rail_origin.
+        /// Otherwise a standard rail has its origin at its highest point, turned or not.
         bool by_origin = false;
     };
 
-    struct Wheel;  // a surface for a curve
-    struct Rail;
+    /// The surface of a wheel, in place of the curve.
+    struct Wheel {
+        WheelSurface surface;
+        std::vector<std::string> notes, doubts{};  ///< as below
+    };
+
+    /// The surface of a rail.
+    struct Rail {
+        RailSurface surface;
+        std::vector<std::string> notes, doubts{};  ///< as below, and that a file is canted unasked
+    };
 
     std::variant<Profile, Sections> curve;
     std::vector<std::string> notes;  ///< a line for each cleaning, turn and mirroring, with its place
@@ -70,16 +79,6 @@ struct ProfileFile {
 /// require_rail; sections and pieces are not checked. Throws std::invalid_argument with the file, the line and the
 /// expected content.
 ProfileFile read_profile(const std::filesystem::path& path, Profile::Use use, const ProfileFile::Options& options = {});
-
-struct ProfileFile::Wheel {
-    WheelSurface surface;
-    std::vector<std::string> notes, doubts{};  ///< of ProfileFile
-};
-
-struct ProfileFile::Rail {
-    RailSurface surface;
-    std::vector<std::string> notes, doubts{};  ///< of ProfileFile, and that a file is canted unasked
-};
 
 /// Whether this is the name of a standard wheel, s1002, or of a standard rail, 60e1, uic60 or 54e1.
 bool is_standard_profile(const std::filesystem::path& name, Profile::Use use);

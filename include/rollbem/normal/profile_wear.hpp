@@ -22,19 +22,12 @@ std::vector<std::array<double, 2>> unworn_parts(const Profile& reference, Profil
 /// points. Throws std::invalid_argument unless the length is positive and finite.
 Profile extended(const Profile& profile, double length);
 
-/// A rigid motion, Profile::moved(angle, dy, dz), and how well the moved profile fits.
-struct Alignment {
-    double angle, dy, dz;  ///< [rad], [m], [m]
-    double residual;       ///< root mean square of the distances from the reference's parts that count [m]
-    double share;          ///< of the parts' length that counts [-]: the rest is worn, or not measured
-};
-
 /// The motion that brings a profile onto the reference in these parts, ranges of the reference's y, without or with an
 /// angle. It is robust: what is worn within the parts does not move it as long as more of their length lies on the
 /// reference under this motion than under any other (Tukey's biweight from the best motion that a few places fix).
 /// Throws std::invalid_argument unless every part has points of both profiles, and together they fix the motion.
-Alignment align(const Profile& profile, const Profile& reference, const std::vector<std::array<double, 2>>& parts,
-                bool turns = false);
+Profile::Alignment align(const Profile& profile, const Profile& reference,
+                         const std::vector<std::array<double, 2>>& parts, bool turns = false);
 
 /// The same curve with further points on it, so that neighbours are at most `spacing` [m] apart. Throws
 /// std::invalid_argument unless the spacing is at least 1e-6 m and finite.
@@ -67,23 +60,11 @@ double area_between(const Profile& before, const Profile& after, Profile::Use bo
 /// The depth [m] of a worn profile below the curve before, at the points of the worn one.
 Eigen::ArrayXd depth_between(const Profile& before, const Profile& after, Profile::Use body);
 
-/// The sizes of a flange by EN 15313 [m]; NaN where the profile has no such place.
-struct FlangeSizes {
-    double height;     ///< Sh, from the tape circle's point down to the tip
-    double thickness;  ///< Sd, from the flange's back to its face 10 mm below the tape circle's point
-    double qr;         ///< qR, along y from that place of the face to the face 2 mm above the tip
-};
-
 /// The sizes of a right wheel whose origin lies `tape_offset` [m] from the back of its flange.
-FlangeSizes flange_sizes(const Profile& wheel, double tape_offset = 0.07);
+Profile::FlangeSizes flange_sizes(const Profile& wheel, double tape_offset = 0.07);
 
-/// What is missing of a rail's head [m]; NaN where one of the profiles has no such place.
-struct RailWear {
-    double vertical;  ///< at y = 0
-    double side;      ///< on the inner side, `depth` below the top of the rail before
-};
-
-RailWear rail_wear(const Profile& before, const Profile& after, double depth);
+/// What is missing of a rail's head, on the side at this depth [m] below its top.
+Profile::RailWear rail_wear(const Profile& before, const Profile& after, double depth);
 
 }  // namespace rollbem
 

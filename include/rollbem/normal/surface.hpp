@@ -31,7 +31,7 @@ namespace rollbem {
 ///     const Profile high = rail_60e1();
 ///     const Sections rail({{0, high}, {1, high.moved(0, 0, 0.5e-3)}, {2, high.moved(0, 0, 1e-3)}},
 ///                         Sections::Interpolation::through);
-///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     const WheelOnRail wheel(s1002(), rail, {.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}});
 ///     WheelOnRail::Workspace workspace;
 ///     const auto height = [&](double x) { return wheel.solve_for_load({.along = x}, 80e3, workspace).height; };
 ///     const double sinks = height(1.5) - height(0.5);  // by 0.5 mm
@@ -157,7 +157,7 @@ private:
 /// int main() {
 ///     using namespace rollbem;
 ///     const RailSurface roller = RailSurface::roller(rail_60e1(0), 0.5);
-///     const WheelOnRail wheel(s1002(), roller, {.rail_origin = TrackDimensions::Origin{0.75, 0}});
+///     const WheelOnRail wheel(s1002(), roller, {.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}});
 ///     WheelOnRail::Workspace workspace;
 ///     return has_numbers(wheel.solve_for_load({}, 80e3, workspace).status) ? 0 : 1;
 /// }
@@ -200,8 +200,6 @@ private:
 /// angle from the lowest point towards +x, less the pitch, with a period of one turn.
 class WheelSurface {
 public:
-    class Placed;  // below
-
     struct Point {
         double y, z;
         std::array<double, 2> by_s, by_angle;
@@ -218,58 +216,58 @@ public:
 
     Point at(double s, double angle) const noexcept;
 
-private:
-    std::variant<Profile, Sections> curve_;
-};
+    /// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette of a
+    /// round wheel against a straight rail, where its normal has no component along x.
+    class Placed {
+    public:
+        /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
+        Placed(const WheelSurface& surface, double origin, double radius, const WheelsetPosition& at)
+            : surface_(&surface),
+              origin_(origin),
+              radius_(radius),
+              lateral_(at.lateral),
+              pitch_(at.pitch),
+              sin_roll_(std::sin(at.roll)),
+              cos_roll_(std::cos(at.roll)),
+              sin_yaw_(std::sin(at.yaw)),
+              cos_yaw_(std::cos(at.yaw)) {}
 
-/// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette of a
-/// round wheel against a straight rail, where its normal has no component along x.
-class WheelSurface::Placed {
-public:
-    /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
-    Placed(const WheelSurface& surface, double origin, double radius, const WheelsetPosition& at)
-        : surface_(&surface),
-          origin_(origin),
-          radius_(radius),
-          lateral_(at.lateral),
-          pitch_(at.pitch),
-          sin_roll_(std::sin(at.roll)),
-          cos_roll_(std::cos(at.roll)),
-          sin_yaw_(std::sin(at.yaw)),
-          cos_yaw_(std::cos(at.yaw)) {}
+        /// Largest sin theta at which the wheel is searched.
+        static constexpr double steepest = 0.5;
 
-    /// Largest sin theta at which the wheel is searched.
-    static constexpr double steepest = 0.5;
+        struct Place {
+            double x, y, z;
+            bool defined;
+        };
 
-    struct Place {
-        double x, y, z;
-        bool defined;
+        const WheelSurface& surface() const { return *surface_; }
+        double radius() const { return radius_; }
+        double middle_x() const { return -sin_yaw_ * origin_; }  ///< x of the tape circle's lowest point [m]
+        /// Distance along x from middle_x() within which contacts are searched [m]: flanks of 4 in 1 touch ahead
+        /// because of the yaw.
+        double reach_x() const { return 0.1 + radius_ * (std::min)(4 * std::abs(sin_yaw_), steepest); }
+
+        /// A place on the silhouette of a round wheel.
+        Place silhouette(double s) const;
+
+        /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
+        std::optional<WheelSurface::Point> unplaced(double s, double x) const;
+        /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
+        RailSurface::Point section(double s, double x) const;
+
+    private:
+        double sine_of(const WheelSurface::Point& p, double x) const {
+            return (x + sin_yaw_ * (origin_ + p.y)) / (cos_yaw_ * (radius_ + p.z));
+        }
+        Place place(double y, double z, double sine) const;
+        RailSurface::Point section_of(const WheelSurface::Point& p, double x) const;
+
+        const WheelSurface* surface_;
+        double origin_, radius_, lateral_, pitch_, sin_roll_, cos_roll_, sin_yaw_, cos_yaw_;
     };
 
-    const WheelSurface& surface() const { return *surface_; }
-    double radius() const { return radius_; }
-    double middle_x() const { return -sin_yaw_ * origin_; }  ///< x of the tape circle's lowest point [m]
-    /// Distance along x from middle_x() within which contacts are searched [m]: flanks of 4 in 1 touch ahead because of
-    /// the yaw.
-    double reach_x() const { return 0.1 + radius_ * (std::min)(4 * std::abs(sin_yaw_), steepest); }
-
-    /// A place on the silhouette of a round wheel.
-    Place silhouette(double s) const;
-
-    /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
-    std::optional<WheelSurface::Point> unplaced(double s, double x) const;
-    /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
-    RailSurface::Point section(double s, double x) const;
-
 private:
-    double sine_of(const WheelSurface::Point& p, double x) const {
-        return (x + sin_yaw_ * (origin_ + p.y)) / (cos_yaw_ * (radius_ + p.z));
-    }
-    Place place(double y, double z, double sine) const;
-    RailSurface::Point section_of(const WheelSurface::Point& p, double x) const;
-
-    const WheelSurface* surface_;
-    double origin_, radius_, lateral_, pitch_, sin_roll_, cos_roll_, sin_yaw_, cos_yaw_;
+    std::variant<Profile, Sections> curve_;
 };
 
 }  // namespace rollbem

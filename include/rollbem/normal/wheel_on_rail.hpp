@@ -22,24 +22,6 @@
 
 namespace rollbem {
 
-/// Dimensions that place profiles in the track. Track axes: x forward, y to the right, z down, the origin between the
-/// rails at the height of their tops.
-struct TrackDimensions {
-    double gauge = 1.435,
-           gauge_depth = 0.014;     ///< least distance between the rails down to this depth below their tops [m]
-    double flange_back = 1.36;      ///< distance between the backs of both flanges [m]
-    double tape_offset = 0.07;      ///< distance of the tape circle from the flange's back [m]
-    double radius = 0.46;           ///< radius r0 of the tape circle [m]
-    double shear_modulus = 8.2e10;  ///< G [Pa] of both bodies
-    double poisson_ratio = 0.28;    ///< nu [-] of both bodies
-    struct Origin {
-        double y, z;
-    };
-    /// Origin of the right rail's profile in track axes [m], in place of the gauge: for rollers, rails that change
-    /// along the track, and profiles without an inner side.
-    std::optional<Origin> rail_origin{};
-};
-
 namespace detail {
 
 class CurveIndex;
@@ -68,7 +50,7 @@ struct RailPatch {
     Eigen::ArrayXd rail_n, wheel_n;
     /// dn/ds of the rail's surface in each row of cells (ny) [-]. Pressures act along its normals (0, -dn/ds, 1).
     Eigen::ArrayXd rail_slope;
-    std::optional<Outline> outline;
+    std::optional<PatchContact::Outline> outline;
     bool has_numbers() const { return rollbem::has_numbers(status); }
 
     /// A vector given in the plane's axes, in track axes, and the place (x, s, n).
@@ -91,9 +73,6 @@ private:
     double in_rows(const Eigen::ArrayXd& rows, double s) const;
 };
 
-/// The mirror image of a patch. Lengths along the profiles stay as they are.
-RailPatch mirrored(RailPatch patch, const Mirror& mirror);
-
 namespace detail {
 class RegionSolver;
 }  // namespace detail
@@ -114,21 +93,39 @@ class RegionSolver;
 /// \endcode
 class WheelOnRail {
 public:
+    /// Dimensions that place profiles in the track. Track axes: x forward, y to the right, z down, the origin between
+    /// the rails at the height of their tops.
+    struct Dimensions {
+        double gauge = 1.435,
+               gauge_depth = 0.014;     ///< least distance between the rails down to this depth below their tops [m]
+        double flange_back = 1.36;      ///< distance between the backs of both flanges [m]
+        double tape_offset = 0.07;      ///< distance of the tape circle from the flange's back [m]
+        double radius = 0.46;           ///< radius r0 of the tape circle [m]
+        double shear_modulus = 8.2e10;  ///< G [Pa] of both bodies
+        double poisson_ratio = 0.28;    ///< nu [-] of both bodies
+        struct Origin {
+            double y, z;
+        };
+        /// Origin of the right rail's profile in track axes [m], in place of the gauge: for rollers, rails that change
+        /// along the track, and profiles without an inner side.
+        std::optional<Origin> rail_origin{};
+    };
+
     /// The right wheel and the right rail of a track; left ones are mirror images. Immutable.
     class Geometry {
     public:
         /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, profiles that are no
         /// pieces look like a wheel and a rail (require_wheel, require_rail), and the rail's place is given by
         /// rail_origin or, of a straight rail, by its inner side.
-        Geometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions);
+        Geometry(WheelSurface wheel, RailSurface rail, const Dimensions& dimensions);
 
         const WheelSurface& wheel() const { return wheel_; }
         const RailSurface& rail() const { return rail_; }
-        const TrackDimensions& dimensions() const { return dimensions_; }
+        const Dimensions& dimensions() const { return dimensions_; }
         double compliance() const {
             return (1 - dimensions_.poisson_ratio) / dimensions_.shear_modulus;
-        }                                                                ///< 1/E* [1/Pa]
-        TrackDimensions::Origin rail_origin() const { return origin_; }  ///< origin of the right rail in track axes [m]
+        }                                                           ///< 1/E* [1/Pa]
+        Dimensions::Origin rail_origin() const { return origin_; }  ///< origin of the right rail in track axes [m]
         /// Origin of the right wheel, from the middle of the axle [m].
         double wheel_origin() const { return wheel_origin_; }
 
@@ -150,16 +147,17 @@ public:
     private:
         WheelSurface wheel_;
         RailSurface rail_;
-        TrackDimensions dimensions_;
-        TrackDimensions::Origin origin_{};
+        Dimensions dimensions_;
+        Dimensions::Origin origin_{};
         double wheel_origin_ = 0;
         bool rough_ = false;
         std::shared_ptr<const detail::CurveIndex> index_;  ///< shared by copies; none unless is_plain()
     };
 
     /// Throws std::invalid_argument as Geometry.
-    WheelOnRail(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions = {})
+    WheelOnRail(WheelSurface wheel, RailSurface rail, const Dimensions& dimensions)
         : geometry_(std::move(wheel), std::move(rail), dimensions) {}
+    WheelOnRail(WheelSurface wheel, RailSurface rail) : WheelOnRail(std::move(wheel), std::move(rail), Dimensions{}) {}
 
     /// The right wheel on the right rail; for a left wheel, y, angle and places belong to its mirror image.
     struct RigidContact {
@@ -216,7 +214,7 @@ public:
     Contact solve_at_height(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 
     const Geometry& geometry() const { return geometry_; }
-    const TrackDimensions& dimensions() const { return geometry_.dimensions(); }
+    const Dimensions& dimensions() const { return geometry_.dimensions(); }
     double compliance() const { return geometry_.compliance(); }          ///< 1/E* [1/Pa]
     double rail_origin() const { return geometry_.rail_origin().y; }      ///< y of the right rail's origin [m]
     double wheel_origin() const { return geometry_.wheel_origin(); }      ///< of the right wheel, from the middle [m]

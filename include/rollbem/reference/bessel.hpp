@@ -1,19 +1,13 @@
-// Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
+// Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues; and its
+// force histories over the distance rolled q = V t/a after a step, a ramp, a sine and piecewise linear creepage. Needs
 // GSL; includes nothing of the discretised problem, so that the two cannot share errors. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
-#include <new>
-#include <numbers>
+#include <span>
 #include <vector>
 
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_sf_bessel.h>
-
-#include "../detail/require.hpp"
 #include "detail/bessel_functions.hpp"
 
 /// Independent references. With u = A e^{sx} - xi/s the zero-slip condition du/dx - s u = xi holds for any A; the
@@ -27,95 +21,79 @@ namespace rollbem::reference {
 /// otherwise from the integrals of I_n by the trapezoidal rule or, for |s| >= 40, Hankel's expansions. The poles are
 /// the eigenvalues. Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and
 /// either Lambda > 0 or s = 0.
-inline std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect) {
-    const double lambda = s == 0.0
-                              ? plane_lambda(poisson_ratio, aspect)
-                              : rollbem::detail::stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
-    detail::require_finite("reference::plane_c11", "Re s", s.real());
-    detail::require_finite("reference::plane_c11", "Im s", s.imag());
-    if (s.real() == 0 && std::abs(s.imag()) < detail::asymptotic_radius) {
-        return detail::harmonic_c11(s.imag(), poisson_ratio, lambda);
-    }
-    return std::complex<double>(detail::laplace_c11(detail::Complex(s.real(), s.imag()), poisson_ratio, lambda));
-}
+std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect);
 
 /// Exact eigenvalues nu_k a of G' p = nu G p for the plane kernel: the `count` zeros of I0 + s Lambda (I0 + I1) with Im
 /// s >= 0 of least modulus, ascending; each with Im s > 0 represents a conjugate pair. All have Re s < 0. Throws
 /// std::invalid_argument unless count > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
-inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect) {
-    const double lambda = rollbem::detail::stable_plane_lambda("reference::eigenvalues", poisson_ratio, aspect);
-    detail::require(count > 0, "reference::eigenvalues", "count", count, "be positive");
-    std::vector<std::complex<double>> result;
-    for (const detail::Complex s : detail::eigenvalues(count, lambda)) {
-        result.emplace_back(s);
-    }
-    return result;
-}
+std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect);
 
-/// Exact traction p/(G xi) under creepage xi e^{s V t/a}: (sum p_n T_n(x))/sqrt(1-x^2) with p_0 = -(I0+I1)/(2(1-nu) D)
-/// and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing edge.
-class ExactTraction {
+/// Inverse Laplace transform at q > 0 by de Hoog, Knight and Stokes' accelerated Fourier series (SIAM J. Sci. Stat.
+/// Comput. 3, 1982). `transform` maps std::complex<long double> to the same type; all its singularities lie in
+/// Re s <= 0. Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q). Throws std::invalid_argument unless 0 < q < inf and
+/// terms > 0.
+template <typename Transform>
+double invert_laplace(const Transform& transform, double q, int terms = 40);
+
+/// Step response of the force by de Hoog's method: -F/(a G xi) at q/a > 0 after a step of creepage xi at q = 0. An
+/// independent check of StepResponse; most accurate for q/a < 2. Throws std::invalid_argument unless 0 < q/a < inf,
+/// 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
+double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect);
+
+/// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 by the Taylor series about
+/// q = 0 (its radius of convergence is 2, the distance in which a particle passes through the contact), for larger q/a
+/// by the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). The error
+/// (docs/measured.md) is largest just below and at q/a = 2, where the response has a kink in its second derivative and
+/// the series decays like k^-3.
+class StepResponse {
 public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument
-    /// unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and either Lambda > 0 or s = 0.
-    ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
-        c11_ = plane_c11(s, poisson_ratio, aspect);  // checks the arguments
-        const long double pi = std::numbers::pi_v<long double>;
-        const long double lambda = plane_lambda<long double>(poisson_ratio, aspect);
-        const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));
-        const detail::Complex point(s.real(), s.imag());
-        const long double scale = std::abs(point.real());
-        // for n above about 1.2 |s| + 40, I_n is below rounding; twice as many points keep aliases away from it
-        const std::size_t order = static_cast<std::size_t>(1.2 * std::abs(s)) + 40;
-        const std::size_t count = order + order / 2;
-        std::vector<long double> cosines(2 * count);
-        std::vector<detail::Complex> samples(count + 1);
-        for (std::size_t k = 0; k < cosines.size(); ++k) {
-            cosines[k] = std::cos(pi * static_cast<long double>(k) / static_cast<long double>(count));
-        }
-        for (std::size_t k = 0; k <= count; ++k) {
-            const long double weight = (k == 0 || k == count ? 0.5L : 1.0L) / static_cast<long double>(count);
-            samples[k] = std::exp(point * cosines[k] - scale) * weight;
-        }
-        std::vector<detail::Complex> bessel(order + 2);
-        for (std::size_t n = 0; n < bessel.size(); ++n) {
-            for (std::size_t k = 0; k <= count; ++k) {
-                bessel[n] += samples[k] * cosines[n * k % cosines.size()];
-            }
-        }
-        const detail::Complex sum = bessel[0] + bessel[1];
-        const detail::Complex denominator = (bessel[0] + point * lambda * sum) * stiffness;
-        coefficients_.resize(order + 1);
-        coefficients_[0] = -sum / denominator;
-        for (std::size_t n = 1; n <= order; ++n) {  // n I_n / s = (I_{n-1} - I_{n+1})/2 also holds at s = 0
-            coefficients_[n] = (bessel[n - 1] - bessel[n + 1]) / denominator;
-        }
-    }
+    /// Throws std::invalid_argument unless modes > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
+    StepResponse(double poisson_ratio, double aspect, std::size_t modes = 4000);
 
-    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    std::complex<double> operator()(double x_over_a) const {
-        detail::require(std::abs(x_over_a) <= 1, "reference::ExactTraction", "x/a", x_over_a, "lie in [-1, 1]");
-        // the coefficients add up to zero, so T_n may be replaced by T_n - 1 = -2 sin^2(n theta/2): nothing cancels
-        // at the leading edge, theta = 0
-        const long double half = std::atan2(std::sqrt(1 - static_cast<long double>(x_over_a)),
-                                            std::sqrt(1 + static_cast<long double>(x_over_a)));
-        if (half == 0) {
-            return 0;
-        }
-        detail::Complex sum = 0;
-        for (std::size_t n = 1; n < coefficients_.size(); ++n) {
-            const long double sine = std::sin(static_cast<long double>(n) * half);
-            sum -= 2 * sine * sine * coefficients_[n];
-        }
-        return std::complex<double>(sum / std::sin(2 * half));
-    }
+    /// -F/(a G xi) at q/a after a step of creepage xi at q = 0; zero for q <= 0.
+    double step(double q_over_a) const;
 
-    /// c11 = -F/(a G xi) from the mean of the traction, F = pi p_0.
-    std::complex<double> c11() const { return c11_; }
+    /// -F/(a G rate) at q/a for creepage rate * q from rest: the integral of the step response.
+    double ramp(double q_over_a) const;
+
+    /// -F/(a G amplitude) at q/a for creepage amplitude * sin(omega q) from rest; omega in V/a. Throws
+    /// std::invalid_argument unless omega is positive and finite.
+    double sine(double omega, double q_over_a) const;
+
+    /// -F/(a G) at q/a for a piecewise linear creepage through the points (q_j, creepage_j), zero before q_0 and
+    /// constant after the last; equal successive q_j make a jump. Convolution with the step response: exact except for
+    /// the errors of step and ramp. Throws std::invalid_argument if the lists are empty or differ in length, or if q_j
+    /// decrease.
+    double history(std::span<const double> points, std::span<const double> creepage, double q_over_a) const;
 
 private:
-    std::complex<double> c11_;
-    std::vector<detail::Complex> coefficients_;  ///< coefficients of T_n, n = 0, 1, ...
+    struct Mode {
+        std::complex<double> eigenvalue;
+        std::complex<double> amplitude;  ///< amplitude in the step response, doubled for a conjugate pair
+    };
+
+    static constexpr double taylor_limit = 1.5;
+    static constexpr std::size_t taylor_terms = 160;  // (taylor_limit/2)^160 = 1e-20
+
+    /// Power series of c11 in t = 1/s: c11 = C t n/(Lambda n + t a0), n and a0 the Hankel series of I0 + I1 and I0.
+    void make_taylor_coefficients();
+
+    /// Inverse of c11(s)/s^power: t^(j+1+power) -> q^(j+power)/(j+power)!.
+    double taylor(double q, int power) const;
+
+    /// Inverse of c11(s) omega/(s^2 + omega^2), with omega/(s^2 + omega^2) = sum (-1)^i omega^(2i+1) t^(2i+2).
+    double taylor_sine(double omega, double q) const;
+
+    /// Real part of sum amplitude factor(s) e^{s q}, up to the first term far below rounding.
+    template <typename Factor>
+    double modal_sum(double q, const Factor& factor) const;
+
+    double poisson_ratio_;
+    double lambda_;
+    std::vector<Mode> modes_;          ///< sorted by descending real part
+    std::vector<long double> taylor_;  ///< c11(s) = sum taylor_j s^-(j+1) for s -> infinity
 };
 
 }  // namespace rollbem::reference
+
+#include "impl/bessel.tpp"

@@ -36,46 +36,6 @@ inline bool are_positive(const SemiAxes& axes) noexcept {
 
 }  // namespace detail
 
-/// The edges of a contact area over y, linear between the given lines y = const. Creepages, spin and moment refer to
-/// the origin of its coordinates.
-///
-/// \code
-/// #include <rollbem/patch.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const Outline triangle(Eigen::Array2d(0, 0.01), Eigen::Array2d(-0.005, 0), Eigen::Array2d(0.005, 0));  // [m]
-///     const PatchContact contact(triangle, 8.2e10, 0.28);
-///     return contact.half_length() > 0 ? 0 : 1;  // the radius of the circle of equal area [m]
-/// }
-/// \endcode
-///
-/// Invariant: at least two lines, all numbers finite, y strictly increasing, trailing < leading; on the first and the
-/// last line both may be equal (a tip). The area is positive and finite.
-class Outline {
-public:
-    /// y, x of the trailing and x of the leading edge of each line [m, or any unit of length]. Throws
-    /// std::invalid_argument, with the number of the line from 1, if they break the invariant.
-    Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading);
-
-    const ArrayX<double>& y() const { return y_; }
-    double low() const { return y_[0]; }               ///< smallest y
-    double high() const { return y_[y_.size() - 1]; }  ///< largest y
-    double area() const { return area_; }
-
-    /// x of an edge at low() <= y <= high().
-    double trailing(double y) const { return at(trailing_, y); }
-    double leading(double y) const { return at(leading_, y); }
-
-private:
-    static void check(Eigen::Index line, const char* quantity, double value, bool holds, const char* rule);
-
-    double at(const ArrayX<double>& edge, double y) const;
-
-    ArrayX<double> y_, trailing_, leading_;
-    double area_ = 0;
-};
-
 /// Semi-axes a', b' along x and y, with their derivatives.
 struct SemiAxes::AlongRolling {
     SemiAxes axes;            ///< a', b' [m]
@@ -113,6 +73,46 @@ SemiAxes::AlongRolling rolling_ellipse(const SemiAxes& turned, double turn) noex
 /// finite.
 class PatchContact {
 public:
+    /// The edges of a contact area over y, linear between the given lines y = const. Creepages, spin and moment refer
+    /// to the origin of its coordinates.
+    ///
+    /// \code
+    /// #include <rollbem/patch.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     const Eigen::Array2d y(0, 0.01), trailing(-0.005, 0), leading(0.005, 0);  // a triangle [m]
+    ///     const PatchContact contact(PatchContact::Outline(y, trailing, leading), 8.2e10, 0.28);
+    ///     return contact.half_length() > 0 ? 0 : 1;  // the radius of the circle of equal area [m]
+    /// }
+    /// \endcode
+    ///
+    /// Invariant: at least two lines, all numbers finite, y strictly increasing, trailing < leading; on the first and
+    /// the last line both may be equal (a tip). The area is positive and finite.
+    class Outline {
+    public:
+        /// y, x of the trailing and x of the leading edge of each line [m, or any unit of length]. Throws
+        /// std::invalid_argument, with the number of the line from 1, if they break the invariant.
+        Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading);
+
+        const ArrayX<double>& y() const { return y_; }
+        double low() const { return y_[0]; }               ///< smallest y
+        double high() const { return y_[y_.size() - 1]; }  ///< largest y
+        double area() const { return area_; }
+
+        /// x of an edge at low() <= y <= high().
+        double trailing(double y) const { return at(trailing_, y); }
+        double leading(double y) const { return at(leading_, y); }
+
+    private:
+        static void check(Eigen::Index line, const char* quantity, double value, bool holds, const char* rule);
+
+        double at(const ArrayX<double>& edge, double y) const;
+
+        ArrayX<double> y_, trailing_, leading_;
+        double area_ = 0;
+    };
+
     struct Parameters {
         double half_length;    ///< a [m], semi-axis in the rolling direction x
         double half_width;     ///< b [m], semi-axis across it

@@ -91,13 +91,7 @@ public:
     RigidMotion with_rows(const Rows&&, const Rows&) const = delete;
     RigidMotion with_rows(const Rows&, const Rows&&) const = delete;
     RigidMotion with_rows(const Rows&&, const Rows&&) const = delete;
-    RigidMotion with_rows(const RowsView& start, const RowsView& end) const {
-        RigidMotion motion = *this;
-        motion.row_count_ = start.rows() == end.rows() ? start.rows() : invalid;
-        motion.start_rows_ = start.data();
-        motion.end_rows_ = end.data();
-        return motion;
-    }
+    RigidMotion with_rows(const RowsView& start, const RowsView& end) const;
 
     /// The component along one direction, 0 longitudinal or 1 lateral; spin is left out.
     RigidMotion<double> along(Eigen::Index direction) const requires(directions == 2) {
@@ -122,18 +116,9 @@ public:
 
     /// Whether the motion can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
-    Status check(double dq, Eigen::Index row_count = 0) const noexcept {
-        const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<double>;
-        if (!detail::is_finite(dq) || !possible) return Status::invalid_step;
-        return check_rows(row_count);
-    }
+    Status check(double dq, Eigen::Index row_count = 0) const noexcept;
     /// Whether the motion can be used in steady rolling.
-    Status check_rows(Eigen::Index row_count) const noexcept {
-        if (has_rows() && row_count_ != row_count) return Status::invalid_step;
-        const bool finite = detail::is_finite(start_) && detail::is_finite(end_) &&
-                            (!has_rows() || (detail::all_finite(start_rows()) && detail::all_finite(end_rows())));
-        return finite ? Status::ok : Status::not_finite;
-    }
+    Status check_rows(Eigen::Index row_count) const noexcept;
 
 private:
     template <class Other>
@@ -151,3 +136,5 @@ private:
 };
 
 }  // namespace rollbem
+
+#include "impl/rigid_motion.tpp"

@@ -1,14 +1,7 @@
-// Position and speeds of a wheelset on its track, and reflections, which turn a left wheel into a right one and rolling
-// backwards into rolling forward.
+// Position and speeds of a wheelset on its track.
 #pragma once
 
 #include "../detail/language.hpp"
-
-#include <array>
-
-#include "../types.hpp"
-#include "creepage.hpp"
-#include "patch_contact.hpp"
 
 namespace rollbem {
 
@@ -33,85 +26,5 @@ struct WheelsetSpeeds {
     double lateral = 0, vertical = 0;    ///< velocity of the middle of the axle [m/s]
     double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
 };
-
-/// A reflection that reverses x, y, both or neither of the track's axes, and with them x and s of planes of contact. It
-/// is its own inverse. mirrored(value, mirror) is the image of a value.
-///
-/// \code
-/// #include <rollbem/vehicle.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     // the left wheel at 2 mm to the right is the right wheel at 2 mm to the left
-///     return mirrored(WheelsetPosition{.lateral = 2e-3}, Mirror::of(WheelsetSide::left)).lateral == -2e-3 ? 0 : 1;
-/// }
-/// \endcode
-class Mirror {
-public:
-    constexpr Mirror() = default;  ///< the identity: everything is its own image
-
-    static constexpr Mirror reversing_x() { return {-1, 1}; }   ///< reverses x, and with it the direction of rolling
-    static constexpr Mirror across_track() { return {1, -1}; }  ///< reverses y: left and right
-    /// The reflection that makes the wheel of this side a right wheel.
-    static constexpr Mirror of(WheelsetSide side) { return side == WheelsetSide::left ? across_track() : Mirror(); }
-
-    /// Signs of the components along x, y, z of a place, velocity or force.
-    constexpr std::array<double, 3> of_vector() const { return {x_, y_, 1}; }
-    /// Signs of turns, rates and moments about x, y, z, which behave like a product of two vectors.
-    constexpr std::array<double, 3> of_turn() const { return {y_, x_, x_ * y_}; }
-
-private:
-    constexpr Mirror(double x, double y) : x_(x), y_(y) {}
-
-    double x_ = 1, y_ = 1;
-};
-
-inline WheelsetPosition mirrored(WheelsetPosition position, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    const auto [about_x, about_y, about_z] = mirror.of_turn();
-    position.along *= x;
-    position.lateral *= y;
-    position.height *= z;
-    position.roll *= about_x;
-    position.pitch *= about_y;
-    position.yaw *= about_z;
-    return position;
-}
-
-inline WheelsetSpeeds mirrored(WheelsetSpeeds speeds, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    const auto [about_x, about_y, about_z] = mirror.of_turn();
-    speeds.forward *= x;
-    speeds.lateral *= y;
-    speeds.vertical *= z;
-    speeds.roll_rate *= about_x;
-    speeds.pitch_rate *= about_y;
-    speeds.yaw_rate *= about_z;
-    return speeds;
-}
-
-inline Creepage mirrored(const Creepage& creepage, const Mirror& mirror) {
-    return {mirror.of_vector()[0] * creepage.longitudinal, mirror.of_vector()[1] * creepage.lateral,
-            mirror.of_turn()[2] * creepage.spin};
-}
-
-inline TangentialForce mirrored(const TangentialForce& force, const Mirror& mirror) {
-    return {mirror.of_vector()[0] * force.longitudinal, mirror.of_vector()[1] * force.lateral,
-            mirror.of_turn()[2] * force.moment};
-}
-
-inline Outline mirrored(const Outline& outline, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    ArrayX<double> lines = outline.y(), trailing = lines, leading = lines;
-    const Eigen::Index last = lines.size() - 1;
-    for (Eigen::Index i = 0; i <= last; ++i) {
-        const double from = outline.y()[y < 0 ? last - i : i];
-        const double ends[] = {outline.trailing(from), outline.leading(from)};
-        lines[i] = double(y) * from;
-        trailing[i] = double(x) * ends[x < 0 ? 1 : 0];
-        leading[i] = double(x) * ends[x < 0 ? 0 : 1];
-    }
-    return {lines, trailing, leading};
-}
 
 }  // namespace rollbem

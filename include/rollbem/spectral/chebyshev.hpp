@@ -29,82 +29,66 @@ namespace rollbem {
 /// du/dx - du/dq = xi, holds in the coefficients of T_0 ... T_{m-1}; u_m follows from p = 0 at the leading edge,
 /// sum a_k = 0 (the tau method).
 struct Chebyshev {
+    /// A traction by its coefficients: p/G, or p/(G xi), is sum a_k T_k(x/a)/sqrt(1 - (x/a)^2), where the a_k add up to
+    /// zero. It vanishes like a square root at the leading edge and is infinite at the trailing one. Value is real, or
+    /// complex for harmonic creepage.
     template <class Value>
-    struct Traction;
-    template <class Scalar>
-    class System;
+    struct Traction {
+        using Scalar = typename Eigen::NumTraits<Value>::Real;
+
+        VectorX<Value> coefficients;
+
+        Value operator()(const EdgeDistances<Scalar>& position) const;
+        /// The traction at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+        Value operator()(std::type_identity_t<Scalar> x_over_a) const {
+            return (*this)(EdgeDistances<Scalar>::at(x_over_a));
+        }
+    };
+
+    /// The system of Chebyshev states: its unknowns are the displacement coefficients u_0 ... u_{m-1}, in units of a,
+    /// and its equations are zero slip at the m Chebyshev points, trailing to leading.
+    ///
+    /// \code
+    /// #include <rollbem/line.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     const Chebyshev::System<double> system = rolling_system(Chebyshev{12}, StripKernel<double>(10, 0.72, 0.28));
+    ///     const auto response = solve_response(system, {0, 1});  // omega a/V = 1
+    ///     const VectorX<std::complex<double>> unknowns = response.unknowns.col(0);
+    ///     return std::abs(system.traction(unknowns)(0.5)) > 0 ? 0 : 1;  // |p/(G xi)| at x = a/2
+    /// }
+    /// \endcode
+    ///
+    /// Invariant: the invariant of RollingSystem, and the half-width is finite.
+    template <class Scalar_>
+    class System : public RollingSystem<Scalar_> {
+    public:
+        using Scalar = Scalar_;
+
+        /// Takes the result of rolling_system(Chebyshev, kernel): u_m = last . u, and a_0 ... a_m = stiffness u.
+        System(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
+            : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
+
+        /// p/G from the unknowns of any problem on the system, real or complex; also p/(G xi) from unknowns per
+        /// creepage. Throws std::invalid_argument unless there are size() unknowns.
+        template <class Value>
+        Traction<Value> traction(const VectorX<Value>& unknowns) const;
+
+        /// A = G^-1 G' without an inverse: du/dq = A u - e_0 xi, q = V t/a.
+        MatrixX<Scalar> rates() const;
+
+        /// The lateral system with spin. Inputs: lateral creepage, and spin times a, whose rigid slip is x at the
+        /// Chebyshev points. Outputs: F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
+        /// std::invalid_argument unless there are at least 2 states: spin acts on u_1.
+        RollingSystem<Scalar> with_spin() const;
+
+    private:
+        VectorX<Scalar> last_;       // u_m = last . u
+        MatrixX<Scalar> stiffness_;  // (m+1) x m: maps u to a_0 ... a_m
+    };
 
     Eigen::Index states = 12;
-};
-
-/// A traction by its coefficients: p/G, or p/(G xi), is sum a_k T_k(x/a)/sqrt(1 - (x/a)^2), where the a_k add up to
-/// zero. It vanishes like a square root at the leading edge and is infinite at the trailing one. Value is real, or
-/// complex for harmonic creepage.
-template <class Value>
-struct Chebyshev::Traction {
-    using Scalar = typename Eigen::NumTraits<Value>::Real;
-
-    VectorX<Value> coefficients;
-
-    Value operator()(const EdgeDistances<Scalar>& position) const {
-        return detail::quotient_by_leading(coefficients, position.leading) *
-               std::sqrt(position.leading / position.trailing);
-    }
-    /// The traction at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    Value operator()(std::type_identity_t<Scalar> x_over_a) const {
-        return (*this)(EdgeDistances<Scalar>::at(x_over_a));
-    }
-};
-
-/// The system of Chebyshev states: its unknowns are the displacement coefficients u_0 ... u_{m-1}, in units of a, and
-/// its equations are zero slip at the m Chebyshev points, trailing to leading.
-///
-/// \code
-/// #include <rollbem/line.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const Chebyshev::System<double> system = rolling_system(Chebyshev{12}, StripKernel<double>(10, 0.72, 0.28));
-///     const auto response = solve_response(system, {0, 1});  // omega a/V = 1
-///     const VectorX<std::complex<double>> unknowns = response.unknowns.col(0);
-///     return std::abs(system.traction(unknowns)(0.5)) > 0 ? 0 : 1;  // |p/(G xi)| at x = a/2
-/// }
-/// \endcode
-///
-/// Invariant: the invariant of RollingSystem, and the half-width is finite.
-template <class Scalar_>
-class Chebyshev::System : public RollingSystem<Scalar_> {
-public:
-    using Scalar = Scalar_;
-
-    /// Takes the result of rolling_system(Chebyshev, kernel): u_m = last . u, and a_0 ... a_m = stiffness u.
-    System(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
-        : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
-
-    /// p/G from the unknowns of any problem on the system, real or complex; also p/(G xi) from unknowns per creepage.
-    /// Throws std::invalid_argument unless there are size() unknowns.
-    template <class Value>
-    Chebyshev::Traction<Value> traction(const VectorX<Value>& unknowns) const {
-        detail::require(unknowns.size() == this->size(), "Chebyshev::System", "number of unknowns", unknowns.size(),
-                        "equal the number of states");
-        return {stiffness_.template cast<Value>() * unknowns};
-    }
-
-    /// A = G^-1 G' without an inverse: du/dq = A u - e_0 xi, q = V t/a.
-    MatrixX<Scalar> rates() const;
-
-    /// The lateral system with spin. Inputs: lateral creepage, and spin times a, whose rigid slip is x at the Chebyshev
-    /// points. Outputs: F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
-    /// std::invalid_argument unless there are at least 2 states: spin acts on u_1.
-    RollingSystem<Scalar> with_spin() const {
-        detail::require(this->size() >= 2, "Chebyshev::System", "number of states", this->size(),
-                        "be at least 2: spin acts on the second");
-        return this->with_spin_by("Chebyshev::System", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
-    }
-
-private:
-    VectorX<Scalar> last_;       // u_m = last . u
-    MatrixX<Scalar> stiffness_;  // (m+1) x m: maps u to a_0 ... a_m
 };
 
 /// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
@@ -130,15 +114,7 @@ template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel);
 
 /// The state space of Chebyshev states: without an inverse, B = -e_0.
-inline StateSpace state_space(const Chebyshev::System<double>& system) {
-    const Eigen::Index m = system.size();
-    StateSpace result{.A = system.rates(),
-                      .B = MatrixX<double>::Zero(m, 1),
-                      .C = -system.outputs().transpose(),
-                      .D = MatrixX<double>::Zero(1, 1)};
-    result.B(0, 0) = -1;
-    return result;
-}
+StateSpace state_space(const Chebyshev::System<double>& system);
 
 /// The state space of a kernel with a number of states: 8 states are exact to rounding if nothing changes within a
 /// contact length. Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >=

@@ -32,16 +32,7 @@ bool is_confirmed(const Response<Scalar>& steady, Eigen::Index i, Eigen::Index j
 
 /// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling, also of an outline without
 /// symmetry. Throws std::invalid_argument if the coefficients are not 3 x 3.
-inline TangentialForce creep_force(const PatchContact& contact, const Response<double>& steady,
-                                   const Creepage& creepage) {
-    const double a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
-    const MatrixX<double>& c = steady.coefficients;
-    detail::require(c.cols() == 3, "creep_force", "number of creepages", c.cols(), "be 3");
-    const auto force = [&](Eigen::Index i) {
-        return scale * (c(i, 0) * creepage.longitudinal + c(i, 1) * creepage.lateral + c(i, 2) * (creepage.spin * a));
-    };
-    return {force(0), force(1), a * force(2)};
-}
+TangentialForce creep_force(const PatchContact& contact, const Response<double>& steady, const Creepage& creepage);
 
 /// Steady rolling at unit creepages xi, eta and phi times the mesh's unit of length, by one mesh alone: the status does
 /// not show whether the mesh is fine enough. Needs no G. Status::assists_creepage if a force or the moment assists its

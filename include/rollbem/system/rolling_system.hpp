@@ -47,32 +47,15 @@ struct Elements {
     bool is_one_strip() const { return behind == one_strip(size()); }
 
     /// `behind` for n elements in one strip.
-    static std::vector<Eigen::Index> one_strip(Eigen::Index n) {
-        std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
-        for (Eigen::Index i = 0; i < n; ++i) behind[static_cast<std::size_t>(i)] = i - 1;
-        return behind;
-    }
+    static std::vector<Eigen::Index> one_strip(Eigen::Index n);
 
     /// Elements of one strip at unknown coordinates.
-    static Elements unplaced(const ArrayX<Scalar>& areas) {
-        Elements elements;
-        elements.areas = areas;
-        elements.behind = one_strip(areas.size());
-        return elements;
-    }
+    static Elements unplaced(const ArrayX<Scalar>& areas);
 
     /// Throws std::invalid_argument if the invariant does not hold; `area` is the name of the areas in the terms of
     /// `who`.
     void require_valid(const char* who, const char* area) const;
 };
-
-namespace detail {
-
-/// Throws std::invalid_argument if a system has G' alone.
-template <class System>
-void require_G(const char* who, const System& system);
-
-}  // namespace detail
 
 /// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the
 /// same in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of
@@ -124,10 +107,7 @@ public:
     Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
     bool has_G() const { return G_.size() > 0; }
     /// G [a/G]. Throws std::invalid_argument if there is none.
-    const MatrixX<Scalar>& G() const {
-        detail::require_G("RollingSystem", *this);
-        return G_;
-    }
+    const MatrixX<Scalar>& G() const;
     const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
     const MatrixX<Scalar>& inputs() const { return inputs_; }    ///< rigid slip in each equation per creepage
     const MatrixX<Scalar>& outputs() const { return outputs_; }  ///< forces per unknown
@@ -143,32 +123,14 @@ public:
     Scalar half_length_limit() const { return origin_.half_length_limit; }
 
     /// Equal for equal matrices, inputs and outputs, in any process; different, with near certainty, for others.
-    std::uint64_t fingerprint() const {
-        detail::Fingerprint fingerprint;
-        fingerprint.add(G_);
-        fingerprint.add(G_prime_);
-        fingerprint.add(inputs_);
-        fingerprint.add(outputs_);
-        return fingerprint.value();
-    }
+    std::uint64_t fingerprint() const;
 
 protected:
-    void require_points(const char* who) const {
-        detail::require(points().has_value(), who, "number of places", 0,
-                        "equal the number of equations: spin needs them");
-    }
+    void require_points(const char* who) const;
 
     /// The same equations with spin as a second input, `moments` the moment per unknown. Throws std::invalid_argument
     /// if the points are unknown.
-    RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const {
-        require_points(who);
-        MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
-        inputs << inputs_, points()->matrix();
-        outputs << outputs_, moments;
-        // named, as g++ 12 without optimisation fails on nested braces
-        return RollingSystem(G_, G_prime_, std::move(inputs), std::move(outputs),
-                             {unknowns_are_tractions(), aspect(), points()});
-    }
+    RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const;
 
 private:
     MatrixX<Scalar> G_, G_prime_, inputs_, outputs_;
@@ -206,16 +168,10 @@ public:
     /// The lateral system with spin. Inputs: lateral creepage, and spin times a, whose rigid slip is x at the points of
     /// the equations. Outputs: F_y over a G and the moment M_z over a^2 G, both per width, by tractions at the centres.
     /// Throws std::invalid_argument where coordinates are not known.
-    RollingSystem<Scalar> with_spin() const {
-        this->require_points("ElementSystem");  // such systems know the centres, too
-        return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
-    }
+    RollingSystem<Scalar> with_spin() const;
 
 private:
-    static Origin tractions(Origin origin) {
-        origin.unknowns_are_tractions = true;
-        return origin;
-    }
+    static Origin tractions(Origin origin);
 
     Eigen::Index element_count_;
     Elements<Scalar> elements_;
@@ -236,16 +192,9 @@ using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
 template <class Scalar>
 void require_blocks(const char* who, const char* name, const DirectionBlocks<Scalar>& blocks, Eigen::Index n);
 
-/// The blocks of uncoupled directions.
-template <class Scalar>
-DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral);
-
 /// [xx xy; yx yy], with zeros for empty blocks.
 template <class Scalar>
 MatrixX<Scalar> joined(const DirectionBlocks<Scalar>& blocks);
-
-template <class Scalar>
-void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint);
 
 /// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
 /// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
@@ -274,26 +223,12 @@ public:
     using Blocks = detail::DirectionBlocks<Scalar>;
 
     /// Takes ready blocks. Throws std::invalid_argument if they break the invariant.
-    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)
-        : G_(std::move(G)),
-          G_prime_(std::move(G_prime)),
-          elements_(std::move(elements)),
-          element_count_(elements_.size()) {
-        elements_.require_valid("ElementSystem", "area");
-        if (has_G()) detail::require_blocks("ElementSystem", "G", G_, size());
-        detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
-        detail::require(!has_G() || (G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy",
-                        G_[0][1].rows(), "be the number of rows of G_prime_xy");
-    }
+    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements);
 
     /// Takes ready blocks of a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its
     /// size and shape.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
-                  std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
-        : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
-        shapes_ = std::move(shapes);
-        a_over_b_ = a_over_b;
-    }
+                  std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b);
 
     /// Joins the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
     ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral);
@@ -305,10 +240,7 @@ public:
     bool has_G() const { return G_[0][0].size() > 0; }
     /// The block from tractions along e to d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G
     /// throws std::invalid_argument if there is none.
-    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const {
-        detail::require_G("ElementSystem", *this);
-        return G_[d][e];
-    }
+    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const;
     const MatrixX<Scalar>& G_prime(std::size_t d, std::size_t e) const { return G_prime_[d][e]; }
     const Blocks& G_prime_blocks() const { return G_prime_; }
     bool coupled() const { return G_prime_[0][1].size() > 0; }
@@ -323,10 +255,7 @@ public:
     Scalar a_over_b() const { return a_over_b_; }  ///< a/b of the patch for which the blocks hold; 0 where not known
 
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
-    RollingSystem<Scalar> joined() const {
-        return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
-                detail::force_weights(elements_)};
-    }
+    RollingSystem<Scalar> joined() const;
     std::uint64_t fingerprint() const;  ///< as in RollingSystem
 
 private:
@@ -367,15 +296,7 @@ struct StabilityVerdict {
     bool certainly_unstable() const { return status == Status::ok && settled_unstable_count > 0; }
 
     /// The verdict on two uncoupled systems, which together have the eigenvalues of both.
-    friend StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other) {
-        return {.n = one.n + other.n,
-                .unstable_count = one.unstable_count + other.unstable_count,
-                .settled_unstable_count = one.settled_unstable_count + other.settled_unstable_count,
-                .uncertain_count = one.uncertain_count + other.uncertain_count,
-                .spectral_abscissa = (std::max)(one.spectral_abscissa, other.spectral_abscissa),
-                .decay_proved = one.stable() && other.stable(),
-                .status = one.status == Status::ok ? other.status : one.status};
-    }
+    friend StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other);
 };
 
 /// Replaces a verdict: builds a model for any eigenvalues, and whether or not the scheme converges.

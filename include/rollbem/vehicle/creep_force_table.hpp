@@ -20,118 +20,8 @@
 
 namespace rollbem {
 
-/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
-/// the forces of the linear law over the forces that friction allows,
-///
-///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = sqrt(c11 c22).
-///
-/// The pole of the spin crosses the edges of a sliding contact, where the moment turns sharply, at y = +-b where
-/// X_3/X_1 = s c/(c11 b), at x = +-a where (X_2 - c23 X_3/s)/X_3 = c22 a/(s c): this s makes both the same, so that
-/// neither edge lies within few nodes on any ellipse. Forces reach full sliding at |X| = 1 to 3; the lateral force of
-/// spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic lattice of
-///
-///     u = X/(1.4 + |X|),
-///
-/// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change
-/// sign alone, and so do eta, phi, F_y and M_z together.
-///
-/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
-/// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.
-class CreepForceGrid {
-public:
-    /// The ellipses and creepages that a table covers, and the number of elements of its patches.
-    struct Range {
-        double poisson_ratio = 0.28;
-        double smallest_a_over_b = 0.1, largest_a_over_b = 10;
-        Eigen::Index shapes = 13;  ///< ellipses
-        int levels = 19;           ///< nodes between no creepage and full sliding
-        Eigen::Index n = 17;       ///< patches of some n^2 elements
-    };
-
-    static constexpr double saturation_scale = 1.4;  ///< |X| where |u| = 1/2
-    /// Upper bound of coefficient_count().
-    static constexpr Eigen::Index most_coefficients = 10'000'000;
-    /// Number of coefficients of one force's splines.
-    static constexpr Eigen::Index coefficient_count(Eigen::Index levels, Eigen::Index shapes) {
-        return (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
-    }
-
-    /// `coefficients` belong to the ellipses a_over_b_of(i, ...), whose number is their count; `levels` nodes lie
-    /// between no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
-    CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
-                   std::vector<CreepCoefficients<double>> coefficients);
-
-    double poisson_ratio() const { return nu_; }
-    double smallest_a_over_b() const { return smallest_; }
-    double largest_a_over_b() const { return largest_; }
-    int levels() const { return levels_; }
-    Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
-    Eigen::Index nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }  ///< number of nodes of an ellipse
-    const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
-    /// dX_1/d xi, dX_2/d eta, dX_2/d(phi c), dX_3/d(phi c), over G a b/(mu N), in a column for each ellipse.
-    const Eigen::Array4Xd& scales() const { return scales_; }
-
-    /// a/b of ellipse i; the last is the largest.
-    double a_over_b(Eigen::Index i) const { return a_over_b_of(i, shapes(), smallest_, largest_); }
-    static double a_over_b_of(Eigen::Index i, Eigen::Index shapes, double smallest, double largest) {
-        if (i == shapes - 1) return largest;
-        return smallest * std::pow(largest / smallest, static_cast<double>(i) / static_cast<double>(shapes - 1));
-    }
-
-    /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) at a node of ellipse i. The nodes form lines along
-    /// which the spin grows.
-    Creepage creepage(Eigen::Index i, Eigen::Index node) const {
-        const Place& place = nodes_[static_cast<std::size_t>(node)];
-        const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
-        return creepage(i, saturation_scale / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
-    }
-    /// Creepages and spin, scaled as above, at X.
-    Creepage creepage(Eigen::Index i, const Eigen::Array3d& X) const {
-        const double spin = X[2] / scales_(3, i);
-        return {X[0] / scales_(0, i), (X[1] - scales_(2, i) * spin) / scales_(1, i), spin};
-    }
-
-    /// The map from w = X unit, |w| = size, to u.
-    struct Stretch {
-        double factor;  ///< u/w
-        double radial;  ///< du = factor (dw - radial d|w| w/|w|)
-    };
-    static Stretch stretch(double unit, double size) {
-        const double factor = 1 / (saturation_scale * unit + size);
-        return {factor, factor * size};
-    }
-    /// Whether a node begins a line of growing spin.
-    bool begins_line(Eigen::Index node) const {
-        if (node == 0) return true;
-        const Place &place = nodes_[static_cast<std::size_t>(node)], &last = nodes_[static_cast<std::size_t>(node - 1)];
-        return place.x != last.x || place.y != last.y;
-    }
-
-    /// Nodes of one ellipse with the same xi, from `first` to before `last`: their forces do not depend on other nodes.
-    struct Slab {
-        Eigen::Index shape, first, last;
-    };
-    /// All slabs, in the order of the nodes.
-    std::vector<Slab> slabs() const;
-
-    /// A point in coordinates of the lattice.
-    struct Place {
-        int x, y, spin;
-    };
-    const Place& place(Eigen::Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
-
-private:
-    static constexpr const char* name = "CreepForceGrid";
-
-    double nu_, smallest_, largest_;
-    int levels_;
-    std::vector<CreepCoefficients<double>> coefficients_;
-    Eigen::Array4Xd scales_;
-    std::vector<Place> nodes_;
-};
-
-/// Steady creep forces of ellipses under Hertz's pressure, interpolated in log(a/b), xi, eta and phi (see
-/// CreepForceGrid) by cubic splines.
+/// Steady creep forces of ellipses under Hertz's pressure, interpolated in log(a/b), xi, eta and phi (see Grid)
+/// by cubic splines.
 ///
 /// \code
 /// #include <rollbem/vehicle.hpp>
@@ -158,6 +48,120 @@ class CreepForceTable {
 public:
     class Source;  // in make_creep_force_table.hpp
 
+    /// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X
+    /// are the forces of the linear law over the forces that friction allows,
+    ///
+    ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = sqrt(c11 c22).
+    ///
+    /// The pole of the spin crosses the edges of a sliding contact, where the moment turns sharply, at y = +-b where
+    /// X_3/X_1 = s c/(c11 b), at x = +-a where (X_2 - c23 X_3/s)/X_3 = c22 a/(s c): this s makes both the same, so that
+    /// neither edge lies within few nodes on any ellipse. Forces reach full sliding at |X| = 1 to 3; the lateral force
+    /// of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic lattice of
+    ///
+    ///     u = X/(1.4 + |X|),
+    ///
+    /// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change
+    /// sign alone, and so do eta, phi, F_y and M_z together.
+    ///
+    /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
+    /// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.
+    class Grid {
+    public:
+        /// The ellipses and creepages that a table covers, and the number of elements of its patches.
+        struct Range {
+            double poisson_ratio = 0.28;
+            double smallest_a_over_b = 0.1, largest_a_over_b = 10;
+            Eigen::Index shapes = 13;  ///< ellipses
+            int levels = 19;           ///< nodes between no creepage and full sliding
+            Eigen::Index n = 17;       ///< patches of some n^2 elements
+        };
+
+        static constexpr double saturation_scale = 1.4;  ///< |X| where |u| = 1/2
+        /// Upper bound of coefficient_count().
+        static constexpr Eigen::Index most_coefficients = 10'000'000;
+        /// Number of coefficients of one force's splines.
+        static constexpr Eigen::Index coefficient_count(Eigen::Index levels, Eigen::Index shapes) {
+            return (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
+        }
+
+        /// `coefficients` belong to the ellipses a_over_b_of(i, ...), whose number is their count; `levels` nodes lie
+        /// between no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
+        Grid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
+             std::vector<CreepCoefficients<double>> coefficients);
+
+        double poisson_ratio() const { return nu_; }
+        double smallest_a_over_b() const { return smallest_; }
+        double largest_a_over_b() const { return largest_; }
+        int levels() const { return levels_; }
+        Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
+        Eigen::Index nodes() const {
+            return static_cast<Eigen::Index>(nodes_.size());
+        }  ///< number of nodes of an ellipse
+        const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
+        /// dX_1/d xi, dX_2/d eta, dX_2/d(phi c), dX_3/d(phi c), over G a b/(mu N), in a column for each ellipse.
+        const Eigen::Array4Xd& scales() const { return scales_; }
+
+        /// a/b of ellipse i; the last is the largest.
+        double a_over_b(Eigen::Index i) const { return a_over_b_of(i, shapes(), smallest_, largest_); }
+        static double a_over_b_of(Eigen::Index i, Eigen::Index shapes, double smallest, double largest) {
+            if (i == shapes - 1) return largest;
+            return smallest * std::pow(largest / smallest, static_cast<double>(i) / static_cast<double>(shapes - 1));
+        }
+
+        /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) at a node of ellipse i. The nodes form lines
+        /// along which the spin grows.
+        Creepage creepage(Eigen::Index i, Eigen::Index node) const {
+            const Place& place = nodes_[static_cast<std::size_t>(node)];
+            const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
+            return creepage(i, saturation_scale / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
+        }
+        /// Creepages and spin, scaled as above, at X.
+        Creepage creepage(Eigen::Index i, const Eigen::Array3d& X) const {
+            const double spin = X[2] / scales_(3, i);
+            return {X[0] / scales_(0, i), (X[1] - scales_(2, i) * spin) / scales_(1, i), spin};
+        }
+
+        /// The map from w = X unit, |w| = size, to u.
+        struct Stretch {
+            double factor;  ///< u/w
+            double radial;  ///< du = factor (dw - radial d|w| w/|w|)
+        };
+        static Stretch stretch(double unit, double size) {
+            const double factor = 1 / (saturation_scale * unit + size);
+            return {factor, factor * size};
+        }
+        /// Whether a node begins a line of growing spin.
+        bool begins_line(Eigen::Index node) const {
+            if (node == 0) return true;
+            const Place &place = nodes_[static_cast<std::size_t>(node)],
+                        &last = nodes_[static_cast<std::size_t>(node - 1)];
+            return place.x != last.x || place.y != last.y;
+        }
+
+        /// Nodes of one ellipse with the same xi, from `first` to before `last`: their forces do not depend on other
+        /// nodes.
+        struct Slab {
+            Eigen::Index shape, first, last;
+        };
+        /// All slabs, in the order of the nodes.
+        std::vector<Slab> slabs() const;
+
+        /// A point in coordinates of the lattice.
+        struct Place {
+            int x, y, spin;
+        };
+        const Place& place(Eigen::Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
+
+    private:
+        static constexpr const char* name = "CreepForceTable::Grid";
+
+        double nu_, smallest_, largest_;
+        int levels_;
+        std::vector<CreepCoefficients<double>> coefficients_;
+        Eigen::Array4Xd scales_;
+        std::vector<Place> nodes_;
+    };
+
     /// Result of a look-up, in the units of the contact.
     struct Force {
         TangentialForce force;  ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
@@ -174,7 +178,7 @@ public:
         Status status = Status::not_finite;
     };
 
-    /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of
+    /// |X| mu N, the size of the linear forces that scale the lattice of a table (see Grid), in the units of
     /// the contact.
     struct LinearForce {
         double value;           ///< [N]
@@ -186,7 +190,7 @@ public:
     /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the
     /// grid, then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
     /// above 100.
-    CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
+    CreepForceTable(Grid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
 
     /// Reads the format of write(). The stream must be binary; it is read to the end of the table. Throws
     /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another
@@ -199,7 +203,7 @@ public:
     /// of the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
-    const CreepForceGrid& grid() const { return grid_; }
+    const Grid& grid() const { return grid_; }
     /// Whether the table holds for this Poisson's ratio, to 0.01.
     bool fits(double poisson_ratio) const { return std::abs(poisson_ratio - grid_.poisson_ratio()) <= 0.01 + 1e-12; }
 
@@ -223,9 +227,9 @@ public:
 private:
     struct Splines;  // internal
 
-    explicit CreepForceTable(CreepForceGrid grid);
+    explicit CreepForceTable(Grid grid);
 
-    CreepForceGrid grid_;
+    Grid grid_;
     Eigen::Index n_;
     double first_log_, per_log_;  ///< log(a/b) of the first ellipse, and 1 over its distance from the last one's
     Eigen::ArrayXXd scales_;      ///< coefficients of splines in log(a/b)

@@ -107,7 +107,7 @@ private:
     static constexpr const char* name = "make_contact_table";
 
     void require_whole(const std::vector<Side>& sides) const;
-    const TrackDimensions& dimensions(std::size_t side) const {
+    const WheelOnRail::Dimensions& dimensions(std::size_t side) const {
         return track_.wheel(side + 1 == side_count() ? WheelsetSide::right : WheelsetSide::left).dimensions();
     }
     ContactTable::Material material() const;

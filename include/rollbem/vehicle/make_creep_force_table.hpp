@@ -71,13 +71,13 @@ private:
 /// The grid of a range, with the creep coefficients of its ellipses; `jobs` threads share the work. Throws
 /// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients or no force
 /// under large spin (n is too small, or a/b too far from 1).
-CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, std::size_t jobs = 1);
+CreepForceTable::Grid make_creep_force_grid(const CreepForceTable::Grid::Range& range, std::size_t jobs = 1);
 
 /// A table of steady creep forces, of the ellipses and creepages of `range`. `jobs` threads share the work, and the
 /// result does not depend on their number; progress(done, all) is called as forces become known, by one thread at a
 /// time. Throws std::invalid_argument as make_creep_force_grid, and std::runtime_error where a patch has no solution.
 CreepForceTable make_creep_force_table(
-    const CreepForceGrid::Range& range, std::size_t jobs = 1,
+    const CreepForceTable::Grid::Range& range, std::size_t jobs = 1,
     const std::function<void(std::size_t, std::size_t)>& progress = [](std::size_t, std::size_t) {});
 
 }  // namespace rollbem

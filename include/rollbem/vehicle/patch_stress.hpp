@@ -18,11 +18,7 @@ namespace rollbem {
 /// subsurface_stress(). The point of a strip is its middle y = s and the place x where von Mises' measure is largest.
 std::vector<Yield::Peak> stresses_below(const PatchForce& friction, double poisson_ratio);
 
-/// A patch in the map of shakedown (Johnson 1989): its load factor and coefficient of traction.
-struct Yield::Shakedown {
-    double load_factor;  ///< the peak pressure over k, the yield stress in shear [-]
-    double traction;     ///< force of friction over the load [-]
-};
+/// The point of a patch in the map of shakedown; `shear_yield` is k, the yield stress in shear [Pa].
 Yield::Shakedown shakedown_point(const RailPatch& patch, const PatchForce& friction, double shear_yield);
 
 }  // namespace rollbem

@@ -51,60 +51,6 @@ PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable&
 /// m/s, else mild wear.
 double archard_coefficient(double pressure, double sliding_velocity, double hardness = 3e9);
 
-/// A law of wear: the depth that each body loses in a place of contact, per metre rolled. A value; not negative, and 0
-/// where nothing slips.
-///
-/// \code
-/// #include <rollbem/vehicle.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const WearLaw law = WearLaw::archard_kth();
-///     const WearLaw::Place place{.work = 2e6, .pressure = 1e9, .slip = 5e-3, .sliding_velocity = 0.1};
-///     return law.depth(place) > 0 ? 0 : 1;  // [m] per metre rolled
-/// }
-/// \endcode
-class WearLaw {
-public:
-    /// A place of contact.
-    struct Place {
-        double work;              ///< T gamma/A, traction times slip over the rolling velocity [Pa]
-        double pressure;          ///< [Pa]
-        double slip;              ///< slip over the rolling velocity [-]
-        double sliding_velocity;  ///< [m/s]
-    };
-
-    /// Density of steel by which rates of mass become depths [kg/m^3].
-    static constexpr double density = 7850;
-
-    /// Braghin et al. (Wear 261 (2006) 1253-1264): K [ug/(m mm^2)] of x = T gamma/A [N/mm^2] is 5.3 x below 10.4, 55.12
-    /// up to 77.2 and 55.12 + 61.9 (x - 77.2) above.
-    static WearLaw t_gamma();
-    /// Archard's law k p s/H with the coefficient of archard_coefficient(). Throws std::invalid_argument unless the
-    /// hardness H [Pa] is positive and finite.
-    static WearLaw archard_kth(double hardness = 3e9);
-    /// Rates [ug/(m mm^2)] of T gamma/A [N/mm^2], linear between the places and constant beyond. Throws
-    /// std::invalid_argument unless there is a place, places ascend from 0 or more, and rates are finite and not
-    /// negative.
-    WearLaw(const std::vector<double>& t_gamma_per_area, const std::vector<double>& rate);
-
-    /// The depth lost per metre rolled while the place stays in contact [-].
-    double depth(const Place& place) const;
-
-private:
-    WearLaw() = default;
-
-    std::vector<double> work_{}, depth_{};  // SI
-    double slope_ = 0;                      // of the depth beyond the last place [1/Pa]
-    double hardness_ = 0;                   // of Archard's law, else 0
-};
-
-/// The volume that a patch wears off each body per metre rolled [m^3/m], in place of work over its strips, for
-/// ProfileWear: the law's sum over the elements of each strip, rising and falling linearly between the middles of
-/// strips, with the sum of all elements. `velocity` is that of rolling [m/s]. Without elements, as where friction has
-/// no result, there are no strips.
-PatchForce wear_of(const PatchForce& friction, const WearLaw& law, double velocity);
-
 /// Arc length of the point of a table on a rail's profile [m]: among places with the same y, the one with the nearest
 /// angle. NaN beside the profile.
 double arc_length(const Profile& rail, const WheelForces::Point& point);
@@ -129,6 +75,54 @@ double arc_length(const Profile& rail, const WheelForces::Point& point);
 /// \endcode
 class ProfileWear {
 public:
+    /// A law of wear: the depth that each body loses in a place of contact, per metre rolled. A value; not negative,
+    /// and 0 where nothing slips.
+    ///
+    /// \code
+    /// #include <rollbem/vehicle.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     const ProfileWear::Law law = ProfileWear::Law::archard_kth();
+    ///     const ProfileWear::Law::Place place{.work = 2e6, .pressure = 1e9, .slip = 5e-3, .sliding_velocity = 0.1};
+    ///     return law.depth(place) > 0 ? 0 : 1;  // [m] per metre rolled
+    /// }
+    /// \endcode
+    class Law {
+    public:
+        /// A place of contact.
+        struct Place {
+            double work;              ///< T gamma/A, traction times slip over the rolling velocity [Pa]
+            double pressure;          ///< [Pa]
+            double slip;              ///< slip over the rolling velocity [-]
+            double sliding_velocity;  ///< [m/s]
+        };
+
+        /// Density of steel by which rates of mass become depths [kg/m^3].
+        static constexpr double density = 7850;
+
+        /// Braghin et al. (Wear 261 (2006) 1253-1264): K [ug/(m mm^2)] of x = T gamma/A [N/mm^2] is 5.3 x below 10.4,
+        /// 55.12 up to 77.2 and 55.12 + 61.9 (x - 77.2) above.
+        static Law t_gamma();
+        /// Archard's law k p s/H with the coefficient of archard_coefficient(). Throws std::invalid_argument unless the
+        /// hardness H [Pa] is positive and finite.
+        static Law archard_kth(double hardness = 3e9);
+        /// Rates [ug/(m mm^2)] of T gamma/A [N/mm^2], linear between the places and constant beyond. Throws
+        /// std::invalid_argument unless there is a place, places ascend from 0 or more, and rates are finite and not
+        /// negative.
+        Law(const std::vector<double>& t_gamma_per_area, const std::vector<double>& rate);
+
+        /// The depth lost per metre rolled while the place stays in contact [-].
+        double depth(const Place& place) const;
+
+    private:
+        Law() = default;
+
+        std::vector<double> work_{}, depth_{};  // SI
+        double slope_ = 0;                      // of the depth beyond the last place [1/Pa]
+        double hardness_ = 0;                   // of Archard's law, else 0
+    };
+
     /// Throws std::invalid_argument unless there is a cell.
     ProfileWear(const Profile& profile, Eigen::Index cells);
 
@@ -149,6 +143,12 @@ private:
     double length_;
     Eigen::ArrayXd work_;
 };
+
+/// The volume that a patch wears off each body per metre rolled [m^3/m], in place of work over its strips, for
+/// ProfileWear: the law's sum over the elements of each strip, rising and falling linearly between the middles of
+/// strips, with the sum of all elements. `velocity` is that of rolling [m/s]. Without elements, as where friction has
+/// no result, there are no strips.
+PatchForce wear_of(const PatchForce& friction, const ProfileWear::Law& law, double velocity);
 
 }  // namespace rollbem
 

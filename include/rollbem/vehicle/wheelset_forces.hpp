@@ -21,66 +21,61 @@
 
 namespace rollbem {
 
-/// Thermal properties of both bodies, of one material. Each body takes half the heat of friction. Defaults are steel's.
-struct Heating {
-    /// Friction that falls with the temperature.
-    struct Friction {
-        double coefficient;  ///< mu at and above `end` [-]
-        double begin, end;   ///< temperatures above ambient between which mu falls or rises linearly [K]
-
-        double at(double cold, double temperature) const {
-            return cold + (coefficient - cold) * std::clamp((temperature - begin) / (end - begin), 0.0, 1.0);
-        }
-    };
-
-    double conductivity = 50;       ///< k [W/(m K)]
-    double heat_capacity = 3.53e6;  ///< rho c, per volume [J/(m^3 K)]
-    std::optional<Friction> friction{};
-
-    double diffusivity() const { return conductivity / heat_capacity; }  ///< kappa [m^2/s]
-    /// Whether heat stays below the point where it enters: V a is at least 10 kappa.
-    bool passes_fast(double speed, double half_length) const { return speed * half_length >= 10 * diffusivity(); }
-};
-
-/// Temperatures above ambient [K] at the places `at` [m] of a strip of the contact, which material enters at the
-/// leading edge: sqrt(kappa/(pi V))/k times the integral of q/2 (x') / sqrt(x' - x) over all x' ahead, exact for heat
-/// per area q [W/m^2] that is uniform in each element. `edges` ascend from the trailing to the leading edge [m], one
-/// more than `heat`; V [m/s] must be positive. Heat flows straight down, as in a half-space that passes fast (Carslaw
-/// and Jaeger 1959; Heating::passes_fast).
-Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat, const Eigen::ArrayXd& at,
-                                 double speed, const Heating& heating);
-
-/// The coefficient of friction over the angle of the rail's surface or over its y, linear between the nodes and
-/// constant beyond them.
-///
-/// \code
-/// #include <rollbem/vehicle.hpp>
-///
-/// int main() {
-///     using namespace rollbem;
-///     const RailFriction greased(RailFriction::Over::angle, {-0.6, -0.2}, {0.15, 0.35});  // gauge face, top
-///     return std::abs(greased.at(-0.4, 0) - 0.25) < 1e-12 ? 0 : 1;
-/// }
-/// \endcode
-class RailFriction {
-public:
-    /// Coordinate of the nodes: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
-    enum class Over { angle, y };
-
-    /// Throws std::invalid_argument unless there is a node, nodes ascend, angles lie within a quarter turn and y within
-    /// +-1 m, and coefficients are finite and not negative.
-    RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients);
-
-    /// mu [-] where the surface has the angle [rad] and lies at y [m].
-    double at(double angle, double y) const;
-
-private:
-    Over over_;
-    std::vector<double> nodes_, coefficients_;
-};
-
 /// Friction parameters for steady rolling.
 struct RollingFriction {
+    /// Thermal properties of both bodies, of one material. Each body takes half the heat of friction. Defaults are
+    /// steel's.
+    struct Heating {
+        /// Friction that falls with the temperature.
+        struct Friction {
+            double coefficient;  ///< mu at and above `end` [-]
+            double begin, end;   ///< temperatures above ambient between which mu falls or rises linearly [K]
+
+            double at(double cold, double temperature) const {
+                return cold + (coefficient - cold) * std::clamp((temperature - begin) / (end - begin), 0.0, 1.0);
+            }
+        };
+
+        double conductivity = 50;       ///< k [W/(m K)]
+        double heat_capacity = 3.53e6;  ///< rho c, per volume [J/(m^3 K)]
+        std::optional<Friction> friction{};
+
+        double diffusivity() const { return conductivity / heat_capacity; }  ///< kappa [m^2/s]
+        /// Whether heat stays below the point where it enters: V a is at least 10 kappa.
+        bool passes_fast(double speed, double half_length) const { return speed * half_length >= 10 * diffusivity(); }
+    };
+
+    /// The coefficient of friction over the angle of the rail's surface or over its y, linear between the nodes and
+    /// constant beyond them.
+    ///
+    /// \code
+    /// #include <rollbem/vehicle.hpp>
+    ///
+    /// int main() {
+    ///     using namespace rollbem;
+    ///     using OnRail = RollingFriction::OnRail;
+    ///     const OnRail greased(OnRail::Over::angle, {-0.6, -0.2}, {0.15, 0.35});  // gauge face, top
+    ///     return std::abs(greased.at(-0.4, 0) - 0.25) < 1e-12 ? 0 : 1;
+    /// }
+    /// \endcode
+    class OnRail {
+    public:
+        /// Coordinate of the nodes: delta of the surface [rad], or y of the rail's profile [m], both as on the right
+        /// rail.
+        enum class Over { angle, y };
+
+        /// Throws std::invalid_argument unless there is a node, nodes ascend, angles lie within a quarter turn and y
+        /// within +-1 m, and coefficients are finite and not negative.
+        OnRail(Over over, std::vector<double> nodes, std::vector<double> coefficients);
+
+        /// mu [-] where the surface has the angle [rad] and lies at y [m].
+        double at(double angle, double y) const;
+
+    private:
+        Over over_;
+        std::vector<double> nodes_, coefficients_;
+    };
+
     double coefficient = 0.3;   ///< mu [-]
     Eigen::Index elements = 0;  ///< number in each strip along x; 0: by elements_for
     Eigen::Index strips = 0;    ///< number of a patch's strips; 0: by elements_for; fewer where the scheme would gain
@@ -88,10 +83,18 @@ struct RollingFriction {
     /// Whether slip is the slip of the curved surfaces (curved_slip_of), or follows from three creepages, as in
     /// CONTACT's planes.
     bool curved_slip = false;
-    std::optional<RailFriction> rail{};  ///< mu over the rail, in place of the coefficient, one for each strip
-    std::optional<Heating> heating{};    ///< data for the temperature, and for friction that depends on it
+    std::optional<OnRail> rail{};      ///< mu over the rail, in place of the coefficient, one for each strip
+    std::optional<Heating> heating{};  ///< data for the temperature, and for friction that depends on it
     double layer = 0;  ///< compliance L of a layer between both bodies, which adds L p to the displacement [m/Pa]
 };
+
+/// Temperatures above ambient [K] at the places `at` [m] of a strip of the contact, which material enters at the
+/// leading edge: sqrt(kappa/(pi V))/k times the integral of q/2 (x') / sqrt(x' - x) over all x' ahead, exact for heat
+/// per area q [W/m^2] that is uniform in each element. `edges` ascend from the trailing to the leading edge [m], one
+/// more than `heat`; V [m/s] must be positive. Heat flows straight down, as in a half-space that passes fast (Carslaw
+/// and Jaeger 1959; RollingFriction::Heating::passes_fast).
+Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat, const Eigen::ArrayXd& at,
+                                 double speed, const RollingFriction::Heating& heating);
 
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane. Numbers without a result are NaN and
 /// arrays empty; a patch that does not roll has neither force nor work.
@@ -102,7 +105,7 @@ struct PatchForce {
     Eigen::ArrayXd edges{}, strip_work{};  ///< edges of the strips along s [m]; each strip's part of slip_work [J/m]
     Eigen::Index elements = 0;
     /// Elements of all patches of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
-    std::vector<LoadedRectangle> surface{};
+    std::vector<Yield::LoadedRectangle> surface{};
     /// Elements of this patch, strip by strip from the trailing edge on: the number of the first one in `surface`,
     /// slip over the rolling velocity [-], and each one's part of slip_work [J/m].
     std::size_t first_element = 0;
@@ -114,8 +117,6 @@ struct PatchForce {
     /// did not come to agree, or the temperature is not known.
     Status status = Status::not_finite;
 };
-
-PatchForce mirrored(PatchForce friction, const Mirror& mirror);
 
 struct WheelsetForces {
     /// A force [N] and its moment [N m] in track axes (x, y, z).
@@ -146,22 +147,21 @@ struct WheelsetForces {
     double peak_pressure() const;
 };
 
-WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror);
-
 /// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
 /// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
 /// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
 /// compliance of the layer are finite and not negative, and numbers of heating can be meant.
 std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                     const WheelsetSpeeds& speeds, const WheelOnRail::Dimensions& dimensions,
                                      const RollingFriction& friction);
 /// The same for each of several motions, in their order; elements of a plane are assembled once for motions forward.
 std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                                   const std::vector<WheelsetSpeeds>& motions,
-                                                  const TrackDimensions& dimensions, const RollingFriction& friction);
+                                                  const WheelOnRail::Dimensions& dimensions,
+                                                  const RollingFriction& friction);
 inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
-                              const TrackDimensions& dimensions, const RollingFriction& friction) {
+                              const WheelOnRail::Dimensions& dimensions, const RollingFriction& friction) {
     return patch_forces({patch}, at, speeds, dimensions, friction)[0];
 }
 

@@ -23,6 +23,27 @@
 
 namespace rollbem::detail {
 
+/// Sets Status::assists_creepage unless the tractions of steady rolling oppose the creepage.
+template <class Value>
+void judge_tractions(const MatrixX<typename Response<Value>::Scalar>& steady,
+                     const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response);
+
+template <class Scalar>
+void require_equations(const MatrixX<Scalar>& G_prime);
+
+template <class Scalar>
+void require_growth(const char* who, const std::complex<Scalar>& s);
+
+/// The divisor of equations in G' - s G that prevents overflow for any finite s.
+template <class Scalar>
+Scalar equation_scale(const std::complex<Scalar>& s) {
+    return (std::max)({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
+}
+
+/// Solves (G' - s G) p = inputs, without judging the tractions of steady rolling.
+template <class Scalar>
+Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s);
+
 template <class Value, class Scalar>
 Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
     const Eigen::Index n = A.rows();

@@ -176,4 +176,102 @@ bool AdhesionModel<directions_>::add_tangents(const Problem& problem, const Stag
     return finite;
 }
 
+template <int directions_>
+AdhesionModel<directions_>::AdhesionModel(const Contact& contact, RollingSystem<double> system,
+                                          const StabilityVerdict& verdict, Integrator integrator)
+    : AdhesionModel(Units(contact), std::move(system), integrator) {
+    detail::require_same_aspect(name, contact, system_);
+    detail::require_usable_in_time(name, system_, verdict);
+}
+
+template <int directions_>
+template <class AnyContact>
+AdhesionModel<directions_>::AdhesionModel(const AnyContact& contact, const ElementSystem<double, 2>& system,
+                                          const StabilityVerdict& verdict,
+                                          Integrator integrator) requires(directions_ == 2)
+    : AdhesionModel(Units(contact), system.joined(), integrator) {
+    if constexpr (std::is_same_v<AnyContact, Contact>) {
+        detail::require_same_aspect(name, contact, system);
+    } else {
+        detail::require_same_shape(name, contact, system);
+    }
+    shapes_ = system.shapes();
+    a_over_b_ = system.a_over_b();
+    detail::require(system.elements().places_are_known(), name, "number of places of elements",
+                    system.elements().x.size(), "equal the number of elements: spin needs them");
+    detail::require_usable_in_time(name, system, verdict);
+}
+
+template <int directions_>
+inline int AdhesionModel<directions_>::count_doublings(double h) const {
+    if (!is_exponential() || !(h > 0)) return 0;
+    const double norm = 16 * h * rates_norm_;
+    return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+}
+
+template <int directions_>
+inline Status AdhesionModel<directions_>::check(const State& from, const SemiAxes& semi_axes, const State& to,
+                                                const Workspace& workspace) const noexcept {
+    const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
+                      to.traction.size() == size() && workspace.size() == size() &&
+                      are_lengths({from.half_length, from.half_width});
+    if (!fits) return Status::wrong_state;
+    return are_lengths(semi_axes) ? Status::ok : Status::invalid_load;
+}
+
+template <int directions_>
+inline Status AdhesionModel<directions_>::check_growth(double distance, const Axes& start,
+                                                       const Axes& end) const noexcept {
+    return detail::check_growth(can_breathe(), system_.half_length_limit(), shapes_.get(), a_over_b_, distance, start,
+                                end);
+}
+
+template <int directions_>
+inline auto AdhesionModel<directions_>::fail(const State& from, State& to) noexcept -> Step {
+    to.traction = from.traction;
+    to.half_length = from.half_length;
+    to.half_width = from.half_width;
+    to.distance = from.distance;
+    return detail::failed<Step>(Status::not_finite);
+}
+
+template <int directions_>
+inline auto AdhesionModel<directions_>::finish(const State& from, const SemiAxes& semi_axes, double dq,
+                                               const Square& tangent, State& to) const noexcept -> Step {
+    to.half_length = semi_axes.half_length;
+    to.half_width = semi_axes.half_width;
+    to.system = fingerprint_;
+    to.distance = dq;
+    const Inputs force = forces_.of(to.traction, axes(to));
+    if (!detail::all_finite(force) || !detail::all_finite(tangent)) return fail(from, to);
+    Step step;
+    step.force = force_along(force);
+    if (units_.line) step.force_per_width = force_along(force / units_.width);
+    for (std::size_t j = 0; j < By::creepages; ++j) {
+        detail::by_creepage(step.tangent, j) = force_along(tangent.col(static_cast<Eigen::Index>(j)));
+    }
+    step.status = Status::ok;
+    return step;
+}
+
+template <int directions_>
+inline auto AdhesionModel<directions_>::semi_axes(const State& from, const RollingStep& step) const noexcept
+    -> SemiAxes {
+    if constexpr (directions == 1) {
+        return {step.load.value_or(from.half_length), from.half_width};
+    } else {
+        return step.load.value_or(SemiAxes{from.half_length, from.half_width});
+    }
+}
+
+template <int directions_>
+template <class Unknowns>
+inline auto AdhesionModel<directions_>::forces_of(const Unknowns& unknowns, const Axes& at) const -> Square {
+    Square result;
+    for (std::size_t j = 0; j < By::creepages; ++j) {
+        result.col(static_cast<Eigen::Index>(j)) = forces_.of(unknowns(j), at);
+    }
+    return result;
+}
+
 }  // namespace rollbem

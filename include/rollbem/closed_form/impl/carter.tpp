@@ -147,4 +147,22 @@ Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     }
 }
 
+template <std::floating_point Scalar>
+EdgeDistances<Scalar>::EdgeDistances(Scalar from_trailing, Scalar from_leading)
+    : trailing(from_trailing), leading(from_leading) {
+    const char* const who = "EdgeDistances";
+    detail::require(detail::is_finite(trailing) && trailing >= 0, who, "trailing", trailing, "be at least 0");
+    detail::require(detail::is_finite(leading) && leading >= 0, who, "leading", leading, "be at least 0");
+    const Scalar sum = trailing + leading;
+    detail::require(std::abs(sum - 2) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), who, "trailing + leading",
+                    sum, "be 2");
+}
+
+template <std::floating_point Scalar>
+auto EdgeDistances<Scalar>::at(Scalar x_over_a) -> EdgeDistances {
+    detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= 1, "EdgeDistances", "x/a", x_over_a,
+                    "lie in [-1, 1]");
+    return {1 + x_over_a, 1 - x_over_a};
+}
+
 }  // namespace rollbem

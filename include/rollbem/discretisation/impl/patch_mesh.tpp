@@ -68,7 +68,7 @@ namespace detail {
 
 /// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
 /// Up to m/2 lines of the outline are edges of strips.
-inline Mesh<double> outline_strips(const Outline& outline, Eigen::Index m) {
+inline Mesh<double> outline_strips(const PatchContact::Outline& outline, Eigen::Index m) {
     const ArrayX<double>& y = outline.y();
     const Eigen::Index lines = y.size();
     const auto place = [&](double at) {
@@ -157,8 +157,8 @@ PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scala
 }
 
 template <class Scalar>
-PatchMesh<Scalar> outline_mesh(const Outline& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
-                               const Mesh<Scalar>& across) {
+PatchMesh<Scalar> outline_mesh(const PatchContact::Outline& outline, std::type_identity_t<Scalar> unit,
+                               Mesh<Scalar> along, const Mesh<Scalar>& across) {
     const double middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
     const Eigen::Index m = across.size();
     const auto place = [&](Scalar t) { return static_cast<Scalar>(middle + half_height * t); };

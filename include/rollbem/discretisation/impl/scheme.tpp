@@ -17,6 +17,30 @@
 #include "../../types.hpp"
 #include "../mesh.hpp"
 
+namespace rollbem::detail {
+
+template <class Scheme>
+void check_alphas(const Scheme& scheme, const char* who, Eigen::Index n);
+
+// Differences over the thirds of each interval, weighted so that they give the slope in its middle to fourth order.
+template <class Scalar>
+void take_thirds(SchemeRows<Scalar>& rows);
+
+// Rows at one point per element, for any options with the fields of Collocation.
+template <class Scalar, class Scheme>
+SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, const Mesh<Scalar>& mesh);
+
+// The sine of `k` quarters of pi/n, 0 <= k <= 4n. Its argument is kept below pi/2 so that the rounding of pi does not
+// affect the small results at the leading edge.
+template <class Scalar>
+Scalar sine_of_quarters(Eigen::Index k, Eigen::Index n);
+
+// Throws std::invalid_argument unless a mesh is the cosine mesh to rounding.
+template <class Scalar>
+void require_cosine_mesh(const char* who, const Mesh<Scalar>& mesh);
+
+}  // namespace rollbem::detail
+
 namespace rollbem {
 
 template <class Scalar>
@@ -231,6 +255,14 @@ template <class Scalar, RollingScheme<Scalar> Scheme>
 void check_scheme(const Scheme& scheme, const Mesh<Scalar>& mesh) {
     scheme_rows(scheme, Quantity::slope, mesh);
     scheme_rows(scheme, Quantity::displacement, mesh);
+}
+
+template <class Scalar>
+SchemeRows<Scalar> AnyScheme::Own::rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
+    if constexpr (std::same_as<Scalar, double>) return in_double(quantity, mesh);
+    detail::require(false, "AnyScheme", "size of the scalar", sizeof(Scalar),
+                    "be the size of double for a scheme of the user's own");
+    return {};
 }
 
 }  // namespace rollbem

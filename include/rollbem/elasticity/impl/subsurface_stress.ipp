@@ -59,13 +59,13 @@ struct HalfSpacePotentials {
 
 namespace rollbem {
 
-ROLLBEM_DECL Eigen::Matrix3d subsurface_stress(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
+ROLLBEM_DECL Eigen::Matrix3d subsurface_stress(const std::vector<Yield::LoadedRectangle>& loads, double poisson_ratio,
                                                const Eigen::Vector3d& at) {
     detail::require_poisson_ratio("subsurface_stress", poisson_ratio);
     detail::require_positive("subsurface_stress", "z", at[2]);
     const double z = at[2], nu = poisson_ratio;
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const LoadedRectangle& load : loads) {
+    for (const Yield::LoadedRectangle& load : loads) {
         detail::HalfSpacePotentials d;
         d.add(1, at[0] - load.x_1, at[1] - load.y_1, z);
         d.add(-1, at[0] - load.x_2, at[1] - load.y_1, z);
@@ -89,7 +89,7 @@ ROLLBEM_DECL Eigen::Matrix3d subsurface_stress(const std::vector<LoadedRectangle
     return sum / (2 * std::numbers::pi);
 }
 
-ROLLBEM_DECL Yield::Peak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
+ROLLBEM_DECL Yield::Peak subsurface_peak(const std::vector<Yield::LoadedRectangle>& loads, double poisson_ratio,
                                          const Eigen::Vector2d& below, double deepest) {
     constexpr int count = 48;
     const auto depth = [&](double i) { return deepest * (i / count) * (i / count); };
@@ -123,7 +123,7 @@ ROLLBEM_DECL Yield::Peak subsurface_peak(const std::vector<LoadedRectangle>& loa
     };
     const auto [von_mises, von_mises_depth] = largest(&Yield::von_mises);
     const auto [tresca, tresca_depth] = largest(&Yield::tresca);
-    return {{von_mises, tresca}, von_mises_depth, tresca_depth, below[0], below[1]};
+    return {von_mises, tresca, von_mises_depth, tresca_depth, below[0], below[1]};
 }
 
 }  // namespace rollbem

@@ -258,7 +258,8 @@ inline std::vector<Eigen::ArrayXXd> split_into_patches(Eigen::ArrayXXd p) {
 
 /// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
 /// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
-inline std::optional<Outline> contact_outline(const NormalContact::Cells& grid, const Eigen::ArrayXXd& p) {
+inline std::optional<PatchContact::Outline> contact_outline(const NormalContact::Cells& grid,
+                                                            const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
     // the interval of column i that touches the cells first ... last, preferably one that contains cell j
@@ -347,7 +348,7 @@ inline std::optional<Outline> contact_outline(const NormalContact::Cells& grid, 
         trailing[k] = x - half;
         leading[k] = x + half;
     }
-    return Outline(at, trailing, leading);
+    return PatchContact::Outline(at, trailing, leading);
 }
 
 /// The largest pressure: the square of the pressure is nearly quadratic about its largest cell.

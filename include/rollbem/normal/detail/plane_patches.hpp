@@ -54,7 +54,7 @@ inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
 
 /// Sets the extents and the area of an outline.
 inline void measure(RailPatch& patch) {
-    const Outline& outline = *patch.outline;
+    const PatchContact::Outline& outline = *patch.outline;
     patch.area = outline.area();
     patch.half_width = (outline.high() - outline.low()) / 2;
     double ahead = outline.leading(outline.low()), behind = ahead;
@@ -67,7 +67,7 @@ inline void measure(RailPatch& patch) {
 
 /// The turn of the rail's surface across the outline [rad].
 inline double turn_across(const WheelOnRail::Geometry& geometry, const ContactPlane& plane, double track_x,
-                          const Outline& outline) {
+                          const PatchContact::Outline& outline) {
     const auto angle = [&](double s) {
         const RailSurface::Point p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);

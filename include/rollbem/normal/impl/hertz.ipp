@@ -208,8 +208,16 @@ inline SemicircleIntegrals integrate_covered(const UnitStretch& element, double 
 
 }  // namespace detail
 
+ROLLBEM_DECL HertzLine::Load::Load(const HertzLine& line, const Mesh<double>& mesh,
+                                   const std::optional<double>& half_length)
+    : load_per_width_(line.load_per_width()),
+      half_length_(line.half_length()),
+      mesh_(mesh),
+      mean_(mean_hertz_pressure(mesh)),
+      fixed_(half_length) {}
+
 ROLLBEM_DECL double HertzLine::Load::half_length(double load_per_width) const {
-    return line_.half_length() * std::sqrt(load_per_width / line_.load_per_width());
+    return half_length_ * std::sqrt(load_per_width / load_per_width_);
 }
 
 ROLLBEM_DECL double HertzLine::Load::half_length_rate(double load_per_width) const {
@@ -279,8 +287,8 @@ ROLLBEM_DECL SemiAxes least_resolved(const PatchContact& contact, const PatchMes
 }
 
 ROLLBEM_DECL auto HertzEllipse::Load::semi_axes(double load) const -> SemiAxes {
-    const double scale = std::cbrt(load / ellipse_.load());
-    return {scale * ellipse_.half_length(), scale * ellipse_.half_width()};
+    const double scale = std::cbrt(load / load_);
+    return {scale * ellipse_.half_length, scale * ellipse_.half_width};
 }
 
 ROLLBEM_DECL Status HertzEllipse::Load::set(const HertzEllipse& ellipse, NormalLoad& result) const noexcept {
@@ -299,7 +307,8 @@ ROLLBEM_DECL auto HertzEllipse::Load::at(double load) const -> NormalLoad {
 
 ROLLBEM_DECL HertzEllipse::Load::Load(const HertzEllipse& ellipse, const PatchContact& contact,
                                       const PatchMesh<double>& mesh, bool fixed)
-    : ellipse_(ellipse),
+    : load_(ellipse.load()),
+      ellipse_{ellipse.half_length(), ellipse.half_width()},
       axes_{contact.half_length(), contact.half_width()},
       least_(least_resolved(contact, mesh)),
       elements_(mesh.rectangles(contact.half_length())),

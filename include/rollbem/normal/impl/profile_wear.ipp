@@ -50,8 +50,8 @@ public:
     }
 
     /// The best motion from this start.
-    Alignment from(double dy, double dz) const {
-        Alignment motion{0, dy, dz, 0, 0};
+    Profile::Alignment from(double dy, double dz) const {
+        Profile::Alignment motion{0, dy, dz, 0, 0};
         double bound = 1e-3;  // below it squares count, above it distances
         for (int k = 0; k < 40; ++k, bound = (std::max)(bound / 2, 1e-8)) {
             step(motion, [&](const Sample&, double r) { return 1 / (std::max)(std::abs(r), bound); });
@@ -75,14 +75,14 @@ public:
     }
 
     /// The sum of distances, those of points without a counterpart and beyond 0.1 mm as 0.1 mm.
-    double cost(const Alignment& motion) const {
+    double cost(const Profile::Alignment& motion) const {
         double sum = 0;
         for (const double r : residuals(motion)) sum += std::isnan(r) ? 1e-4 : (std::min)(std::abs(r), 1e-4);
         return sum;
     }
 
     /// Throws std::invalid_argument unless every part is met in half of its length, and all fix the motion.
-    void require_fixed(const Alignment& motion, const std::vector<std::array<double, 2>>& parts) const {
+    void require_fixed(const Profile::Alignment& motion, const std::vector<std::array<double, 2>>& parts) const {
         std::vector<double> met(parts_, 0), all(parts_, 0);
         const std::vector<double> found = residuals(motion);
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -113,12 +113,12 @@ private:
 
     /// The best of motions that two places, or three with an angle, fix alone: those of a majority that is worn
     /// unevenly agree with nothing else.
-    Alignment by_places(const Alignment& start) const {
-        Alignment best = start;
+    Profile::Alignment by_places(const Profile::Alignment& start) const {
+        Profile::Alignment best = start;
         double least = cost(best);
         const std::size_t places = parts_ * places_of_part;
         const auto try_places = [&](std::size_t a, std::size_t b, std::size_t c) {
-            Alignment motion = start;
+            Profile::Alignment motion = start;
             for (int k = 0; k < 3; ++k) {
                 step(motion, [&](const Sample& sample, double) {
                     const std::size_t own = sample.part * places_of_part + sample.place;
@@ -147,7 +147,7 @@ private:
     }
 
     /// Distances of the moved profile from the reference along its normals; NaN where the profile ends.
-    std::vector<double> residuals(const Alignment& motion) const {
+    std::vector<double> residuals(const Profile::Alignment& motion) const {
         const double c = std::cos(motion.angle), s = std::sin(motion.angle);
         std::vector<double> found;
         for (const auto& [at, normal, part, place] : samples_) {
@@ -162,7 +162,7 @@ private:
     }
 
     /// The standard deviation that the least three tenths of the distances show: what is worn lies beyond.
-    double deviation(const Alignment& motion) const {
+    double deviation(const Profile::Alignment& motion) const {
         std::vector<double> sizes;
         for (const double r : residuals(motion)) {
             if (!std::isnan(r)) sizes.push_back(std::abs(r));
@@ -175,7 +175,7 @@ private:
 
     /// A step of least squares with weights of the samples and their distances.
     template <class Weight>
-    void step(Alignment& motion, const Weight& weight) const {
+    void step(Profile::Alignment& motion, const Weight& weight) const {
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         const std::vector<double> found = residuals(motion);
@@ -244,8 +244,8 @@ ROLLBEM_DECL Profile extended(const Profile& profile, double length) {
     return {std::move(y), std::move(z), detail::use_of(profile)};
 }
 
-ROLLBEM_DECL Alignment align(const Profile& profile, const Profile& reference,
-                             const std::vector<std::array<double, 2>>& parts, bool turns) {
+ROLLBEM_DECL Profile::Alignment align(const Profile& profile, const Profile& reference,
+                                      const std::vector<std::array<double, 2>>& parts, bool turns) {
     detail::require(!parts.empty(), "align", "number of parts", parts.size(), "be at least 1");
     for (const auto& [from, to] : parts)
         detail::require(from < to, "align", "end of a part", to, "lie above its begin");
@@ -256,9 +256,9 @@ ROLLBEM_DECL Alignment align(const Profile& profile, const Profile& reference,
     reference.z().maxCoeff(&deepest);
     profile.z().minCoeff(&highest);
     reference.z().minCoeff(&top);
-    Alignment best = aligner.from(0, 0);
+    Profile::Alignment best = aligner.from(0, 0);
     for (const auto& [own, other] : {std::array{lowest, deepest}, std::array{highest, top}}) {
-        const Alignment next =
+        const Profile::Alignment next =
             aligner.from(reference.y()[other] - profile.y()[own], reference.z()[other] - profile.z()[own]);
         if (aligner.cost(next) < aligner.cost(best)) best = next;
     }
@@ -504,7 +504,7 @@ ROLLBEM_DECL Eigen::ArrayXd depth_between(const Profile& before, const Profile& 
     return depth;
 }
 
-ROLLBEM_DECL FlangeSizes flange_sizes(const Profile& wheel, double tape_offset) {
+ROLLBEM_DECL Profile::FlangeSizes flange_sizes(const Profile& wheel, double tape_offset) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const double tape = detail::height_at(wheel, 0.07 - tape_offset);
     Eigen::Index tip = 0;
@@ -527,7 +527,7 @@ ROLLBEM_DECL FlangeSizes flange_sizes(const Profile& wheel, double tape_offset) 
     return {z_tip - tape, thick + tape_offset, thick - face(z_tip - 2e-3)};
 }
 
-ROLLBEM_DECL RailWear rail_wear(const Profile& before, const Profile& after, double depth) {
+ROLLBEM_DECL Profile::RailWear rail_wear(const Profile& before, const Profile& after, double depth) {
     const double top = before.at(detail::highest_place(before)).z;
     const auto side = [&](const Profile& profile) {
         const std::vector<double> places = detail::places_at_height(profile, top + depth);

@@ -25,7 +25,7 @@ namespace rollbem::detail {
 
 /// The place of the rail in the track: the gauge is measured where the rail's inner side is narrowest down to
 /// gauge_depth below its top; the top is at z = 0 (EN 13848-1).
-inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackDimensions& d) {
+inline WheelOnRail::Dimensions::Origin origin_by_gauge(const Profile& rail, const WheelOnRail::Dimensions& d) {
     const auto root = [](double low, double high, const auto& rises) {
         for (int k = 0; k < 60; ++k) (rises((low + high) / 2) ? low : high) = (low + high) / 2;
         return low;
@@ -60,10 +60,11 @@ inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackD
 
 namespace rollbem {
 
-ROLLBEM_DECL WheelOnRail::Geometry::Geometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
+ROLLBEM_DECL WheelOnRail::Geometry::Geometry(WheelSurface wheel, RailSurface rail,
+                                             const WheelOnRail::Dimensions& dimensions)
     : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
     constexpr const char* who = "WheelOnRail";
-    const TrackDimensions& d = dimensions_;
+    const WheelOnRail::Dimensions& d = dimensions_;
     detail::require_positive(who, "gauge", d.gauge);
     detail::require_positive(who, "gauge_depth", d.gauge_depth);
     detail::require_finite(who, "flange_back", d.flange_back);
@@ -108,24 +109,6 @@ ROLLBEM_DECL double RailPatch::in_rows(const Eigen::ArrayXd& rows, double s) con
     const double row = std::clamp((s - grid.y_0) / grid.dy, 0.0, double(grid.ny - 1));
     const auto low = (std::min)(Eigen::Index(row), grid.ny - 2);
     return rows[low] + (row - double(low)) * (rows[low + 1] - rows[low]);
-}
-
-ROLLBEM_DECL RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    patch.x *= x;
-    for (double* of : {&patch.y, &patch.rail_y, &patch.wheel_y, &patch.angle}) *of *= y;
-    if (x < 0) {
-        patch.grid.x_0 = -patch.grid.x(patch.grid.nx - 1);
-        patch.pressure = patch.pressure.colwise().reverse().eval();
-    }
-    if (y < 0) {
-        patch.grid.y_0 = -patch.grid.y(patch.grid.ny - 1);
-        patch.pressure = patch.pressure.rowwise().reverse().eval();
-        for (Eigen::ArrayXd* of : {&patch.rail_n, &patch.wheel_n}) *of = of->reverse().eval();
-        patch.rail_slope = -patch.rail_slope.reverse().eval();
-    }
-    if (patch.outline) patch.outline = mirrored(*patch.outline, mirror);
-    return patch;
 }
 
 }  // namespace rollbem

@@ -11,7 +11,7 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL Outline::Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading)
+ROLLBEM_DECL PatchContact::Outline::Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading)
     : y_(std::move(y)), trailing_(std::move(trailing)), leading_(std::move(leading)) {
     const Eigen::Index lines = y_.size();
     detail::require(lines >= 2, "Outline", "number of lines", lines, "be at least 2");
@@ -36,13 +36,14 @@ ROLLBEM_DECL Outline::Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<
     detail::require_positive("Outline", "area", area_);
 }
 
-ROLLBEM_DECL void Outline::check(Eigen::Index line, const char* quantity, double value, bool holds, const char* rule) {
+ROLLBEM_DECL void PatchContact::Outline::check(Eigen::Index line, const char* quantity, double value, bool holds,
+                                               const char* rule) {
     if (holds) return;
     const std::string name = std::string(quantity) + " of line " + detail::to_text(line + 1);
     detail::require(false, "Outline", name.c_str(), value, rule);
 }
 
-ROLLBEM_DECL double Outline::at(const ArrayX<double>& edge, double y) const {
+ROLLBEM_DECL double PatchContact::Outline::at(const ArrayX<double>& edge, double y) const {
     const double* const inner = y_.data() + 1;
     const Eigen::Index j = std::upper_bound(inner, inner + y_.size() - 2, y) - y_.data();
     const double part = (y - y_[j - 1]) / (y_[j] - y_[j - 1]);

@@ -132,4 +132,35 @@ Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Ke
     return detail::solve_chebyshev_steady(method, kernel);
 }
 
+template <class Value>
+auto Chebyshev::Traction<Value>::operator()(const EdgeDistances<Scalar>& position) const -> Value {
+    return detail::quotient_by_leading(coefficients, position.leading) *
+           std::sqrt(position.leading / position.trailing);
+}
+
+template <class Scalar_>
+auto Chebyshev::System<Scalar_>::with_spin() const -> RollingSystem<Scalar> {
+    detail::require(this->size() >= 2, "Chebyshev::System", "number of states", this->size(),
+                    "be at least 2: spin acts on the second");
+    return this->with_spin_by("Chebyshev::System", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
+}
+
+inline StateSpace state_space(const Chebyshev::System<double>& system) {
+    const Eigen::Index m = system.size();
+    StateSpace result{.A = system.rates(),
+                      .B = MatrixX<double>::Zero(m, 1),
+                      .C = -system.outputs().transpose(),
+                      .D = MatrixX<double>::Zero(1, 1)};
+    result.B(0, 0) = -1;
+    return result;
+}
+
+template <class Scalar_>
+template <class Value>
+auto Chebyshev::System<Scalar_>::traction(const VectorX<Value>& unknowns) const -> Traction<Value> {
+    detail::require(unknowns.size() == this->size(), "Chebyshev::System", "number of unknowns", unknowns.size(),
+                    "equal the number of states");
+    return {stiffness_.template cast<Value>() * unknowns};
+}
+
 }  // namespace rollbem

@@ -20,6 +20,36 @@
 #include "../../types.hpp"
 #include "../detail/quotient.hpp"
 
+namespace rollbem::detail {
+
+/// Lambda, after checking the requirements of every polynomial problem. Only the steady one allows Lambda <= 0.
+template <std::floating_point Scalar>
+Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+                         Eigen::Index order);
+
+/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_polynomial. A vanishing denominator means P_k = 0: r_k is then infinite,
+/// and any huge number will do, because only P_k r_k matters.
+template <std::floating_point Scalar>
+std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std::complex<Scalar> next);
+
+/// (P_1 + ... + P_order)/P_1 from r_1 and P_order/P_1: the sum of the rows U_1, U_2, ... telescopes. Added term by term
+/// it would cancel if Re s < 0.
+template <std::floating_point Scalar>
+std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, std::complex<Scalar> ratio,
+                                   std::complex<Scalar> tail);
+
+template <std::floating_point Scalar>
+Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance);
+
+/// Largest error estimate of a converged Chebyshev solution: at a sufficient order only rounding remains, which half
+/// the digits distinguish from truncation.
+template <std::floating_point Scalar>
+Scalar chebyshev_tolerance() {
+    return std::sqrt(std::numeric_limits<Scalar>::epsilon());
+}
+
+}  // namespace rollbem::detail
+
 namespace rollbem {
 
 template <std::floating_point Scalar>
@@ -131,6 +161,43 @@ PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Sc
             scalar.error_estimate,
             Scalar(1),
             scalar.status};
+}
+
+template <std::floating_point Scalar>
+auto PolynomialSolution<Scalar>::traction(const EdgeDistances<Scalar>& position) const -> Complex {
+    return quotient(position) * std::sqrt(position.leading / position.trailing);
+}
+
+template <std::floating_point Scalar>
+auto PolynomialSolution<Scalar>::displacement(Scalar x_over_a) const -> Complex {
+    detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a",
+                    x_over_a, "lie in [-1, 1]");
+    const Vector& u = displacement_coefficients;
+    Complex next = 0;
+    Complex current = 0;
+    for (Eigen::Index n = u.size() - 1; n > 0; --n) {
+        const Complex previous =
+            basis == Basis::monomial ? u[n] + x_over_a * current : u[n] + 2 * x_over_a * current - next;
+        next = current;
+        current = previous;
+    }
+    return basis == Basis::monomial ? u[0] + x_over_a * current : u[0] + x_over_a * current - next;
+}
+
+template <std::floating_point Scalar>
+auto PolynomialSolution<Scalar>::quotient(const EdgeDistances<Scalar>& position) const -> Complex {
+    const Vector& c = traction_coefficients;
+    if (basis == Basis::monomial) {  // synthetic division: minus the partial sums of c_j, highest first
+        const Scalar x = position.leading < position.trailing ? 1 - position.leading : position.trailing - 1;
+        Complex partial = 0;
+        Complex value = 0;
+        for (Eigen::Index j = c.size() - 1; j > 0; --j) {
+            partial += c[j];
+            value = value * x + partial;
+        }
+        return -value;
+    }
+    return detail::quotient_by_leading(c, position.leading);
 }
 
 }  // namespace rollbem

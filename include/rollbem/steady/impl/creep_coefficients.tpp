@@ -110,7 +110,7 @@ bool is_resolved(const PatchContact& contact, const PatchMesh<Scalar>& mesh) {
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 MatrixX<Scalar> distances_from_limits(const PatchContact& contact, const Scheme& scheme, const Kernel& kernel,
                                       const MatrixX<Scalar>& own) {
-    const Outline* const outline = contact.outline();
+    const PatchContact::Outline* const outline = contact.outline();
     const Scalar order = outline ? Scalar(1.5) : Scalar(2);  // corners leave less than the second
     const auto on = [&](Eigen::Index n) -> MatrixX<Scalar> {
         const Mesh<Scalar> across =
@@ -180,6 +180,17 @@ Response<Scalar> solve_steady(const PatchContact& contact, const PatchMesh<Scala
         response.error_estimates = std::move(estimates);
     }
     return response;
+}
+
+inline TangentialForce creep_force(const PatchContact& contact, const Response<double>& steady,
+                                   const Creepage& creepage) {
+    const double a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
+    const MatrixX<double>& c = steady.coefficients;
+    detail::require(c.cols() == 3, "creep_force", "number of creepages", c.cols(), "be 3");
+    const auto force = [&](Eigen::Index i) {
+        return scale * (c(i, 0) * creepage.longitudinal + c(i, 1) * creepage.lateral + c(i, 2) * (creepage.spin * a));
+    };
+    return {force(0), force(1), a * force(2)};
 }
 
 }  // namespace rollbem

@@ -21,6 +21,21 @@
 #include "../../types.hpp"
 #include "../detail/shape_set.hpp"
 
+namespace rollbem::detail {
+
+/// Throws std::invalid_argument if a system has G' alone.
+template <class System>
+void require_G(const char* who, const System& system);
+
+/// The blocks of uncoupled directions.
+template <class Scalar>
+DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral);
+
+template <class Scalar>
+void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint);
+
+}  // namespace rollbem::detail
+
 namespace rollbem {
 
 template <class Scalar>
@@ -225,6 +240,105 @@ std::uint64_t ElementSystem<Scalar_, 2>::fingerprint() const {
         fingerprint.add(shapes_->step);
     }
     return fingerprint.value();
+}
+
+template <class Scalar>
+auto Elements<Scalar>::one_strip(Eigen::Index n) -> std::vector<Eigen::Index> {
+    std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
+    for (Eigen::Index i = 0; i < n; ++i) behind[static_cast<std::size_t>(i)] = i - 1;
+    return behind;
+}
+
+template <class Scalar>
+auto Elements<Scalar>::unplaced(const ArrayX<Scalar>& areas) -> Elements {
+    Elements elements;
+    elements.areas = areas;
+    elements.behind = one_strip(areas.size());
+    return elements;
+}
+
+template <class Scalar_>
+inline auto RollingSystem<Scalar_>::G() const -> const MatrixX<Scalar>& {
+    detail::require_G("RollingSystem", *this);
+    return G_;
+}
+
+template <class Scalar_>
+std::uint64_t RollingSystem<Scalar_>::fingerprint() const {
+    detail::Fingerprint fingerprint;
+    fingerprint.add(G_);
+    fingerprint.add(G_prime_);
+    fingerprint.add(inputs_);
+    fingerprint.add(outputs_);
+    return fingerprint.value();
+}
+
+template <class Scalar_>
+void RollingSystem<Scalar_>::require_points(const char* who) const {
+    detail::require(points().has_value(), who, "number of places", 0, "equal the number of equations: spin needs them");
+}
+
+template <class Scalar_>
+auto RollingSystem<Scalar_>::with_spin_by(const char* who, const VectorX<Scalar>& moments) const -> RollingSystem {
+    require_points(who);
+    MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
+    inputs << inputs_, points()->matrix();
+    outputs << outputs_, moments;
+    // named, as g++ 12 without optimisation fails on nested braces
+    return RollingSystem(G_, G_prime_, std::move(inputs), std::move(outputs),
+                         {unknowns_are_tractions(), aspect(), points()});
+}
+
+template <class Scalar_, int directions>
+auto ElementSystem<Scalar_, directions>::with_spin() const -> RollingSystem<Scalar> {
+    this->require_points("ElementSystem");  // such systems know the centres, too
+    return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
+}
+
+template <class Scalar_, int directions>
+auto ElementSystem<Scalar_, directions>::tractions(Origin origin) -> Origin {
+    origin.unknowns_are_tractions = true;
+    return origin;
+}
+
+template <class Scalar_>
+ElementSystem<Scalar_, 2>::ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)
+    : G_(std::move(G)), G_prime_(std::move(G_prime)), elements_(std::move(elements)), element_count_(elements_.size()) {
+    elements_.require_valid("ElementSystem", "area");
+    if (has_G()) detail::require_blocks("ElementSystem", "G", G_, size());
+    detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
+    detail::require(!has_G() || (G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy",
+                    G_[0][1].rows(), "be the number of rows of G_prime_xy");
+}
+
+template <class Scalar_>
+ElementSystem<Scalar_, 2>::ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
+                                         std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
+    : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
+    shapes_ = std::move(shapes);
+    a_over_b_ = a_over_b;
+}
+
+template <class Scalar_>
+inline auto ElementSystem<Scalar_, 2>::G(std::size_t d, std::size_t e) const -> const MatrixX<Scalar>& {
+    detail::require_G("ElementSystem", *this);
+    return G_[d][e];
+}
+
+template <class Scalar_>
+auto ElementSystem<Scalar_, 2>::joined() const -> RollingSystem<Scalar> {
+    return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
+            detail::force_weights(elements_)};
+}
+
+inline StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other) {
+    return {.n = one.n + other.n,
+            .unstable_count = one.unstable_count + other.unstable_count,
+            .settled_unstable_count = one.settled_unstable_count + other.settled_unstable_count,
+            .uncertain_count = one.uncertain_count + other.uncertain_count,
+            .spectral_abscissa = (std::max)(one.spectral_abscissa, other.spectral_abscissa),
+            .decay_proved = one.stable() && other.stable(),
+            .status = one.status == Status::ok ? other.status : one.status};
 }
 
 }  // namespace rollbem

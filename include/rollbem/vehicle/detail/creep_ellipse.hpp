@@ -24,8 +24,8 @@ struct PatchEllipse {
     ContactRow::Values values = ContactRow::Values::Zero();
 
     /// The forces on the patch under the load N [N], from a table; creepages and moment refer to the reference point.
-    TangentialForce forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu, double load,
-                           const Creepage& at) const;
+    TangentialForce forces(const CreepForceTable& creep, const WheelOnRail::Dimensions& dimensions, double mu,
+                           double load, const Creepage& at) const;
 };
 
 /// Equivalent ellipse of a patch: with it, a table of creep forces approximates friction on the patch's own outline
@@ -38,10 +38,10 @@ struct PatchEllipse {
 /// - a/b beyond the table: the longer semi-axis is kept, and the correction also holds in full sliding.
 ///
 /// Throws std::invalid_argument unless the patch has numbers.
-inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
+inline PatchEllipse creep_ellipse(const RailPatch& patch, const WheelOnRail::Dimensions& dimensions,
                                   const CreepForceTable& creep);
 
-inline auto PatchEllipse::forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
+inline auto PatchEllipse::forces(const CreepForceTable& creep, const WheelOnRail::Dimensions& dimensions, double mu,
                                  double load, const Creepage& at) const -> TangentialForce {
     const std::array<double, 3> there{at.longitudinal - at.spin * s, at.lateral + at.spin * x, at.spin};
     const auto [xi, eta, phi] =
@@ -53,7 +53,7 @@ inline auto PatchEllipse::forces(const CreepForceTable& creep, const TrackDimens
     return force;
 }
 
-inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
+inline PatchEllipse creep_ellipse(const RailPatch& patch, const WheelOnRail::Dimensions& dimensions,
                                   const CreepForceTable& creep) {
     using enum ContactRow::Of;
     detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");

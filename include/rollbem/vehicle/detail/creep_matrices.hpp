@@ -16,6 +16,8 @@
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/patch_kernel.hpp"
+#include "../../normal/detail/mirrored_patch.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../../scene/wheelset.hpp"
 #include "../../steady/creep_coefficients.hpp"
 #include "../contact_table.hpp"
@@ -61,7 +63,7 @@ inline StripCreepMatrices strip_creep_matrices_of(const PatchMeshes& meshes, std
 /// Creep matrices of the strips of all patches of a wheel: patches of one plane stick together. A patch has
 /// none if it has no outline, or if rolling would gain energy on all meshes.
 inline std::vector<StripCreepMatrices> strip_creep_matrices(const std::vector<RailPatch>& patches,
-                                                            const TrackDimensions& dimensions) {
+                                                            const WheelOnRail::Dimensions& dimensions) {
     std::vector<StripCreepMatrices> found(patches.size());
     const HalfSpace<double> half_space(dimensions.poisson_ratio);
     for (const std::vector<std::size_t>& plane : patches_by_plane(patches)) {
@@ -94,7 +96,7 @@ struct PatchCreepMatrices {
 
 /// Creep matrices of all patches of a wheel; `symmetric` patches are their own mirror images.
 inline std::vector<PatchCreepMatrices> patch_creep_matrices(const std::vector<RailPatch>& patches,
-                                                            const TrackDimensions& dimensions, bool symmetric) {
+                                                            const WheelOnRail::Dimensions& dimensions, bool symmetric) {
     const std::vector<StripCreepMatrices> own = strip_creep_matrices(patches, dimensions);
     std::vector<StripCreepMatrices> other = own;
     if (!symmetric) {
@@ -232,8 +234,8 @@ inline Eigen::Matrix3d dissipating(const Eigen::Matrix3d& matrix) {
 /// Rows of a zone from its pressures and creep matrices, without share and arm; `yaw` is the position's yaw, 0 or
 /// positive.
 inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches, const ContactTable::Zones& zones,
-                                  Eigen::Index zone, const ZonePressures& pressed, const TrackDimensions& dimensions,
-                                  const CreepForceTable& creep, double yaw) {
+                                  Eigen::Index zone, const ZonePressures& pressed,
+                                  const WheelOnRail::Dimensions& dimensions, const CreepForceTable& creep, double yaw) {
     using enum ContactRow::Of;
     ContactRow::Values v = ContactRow::Values::Zero();
     double a = std::sqrt(5 * pressed.square_x), b = std::sqrt(5 * pressed.square_s);

@@ -22,7 +22,7 @@ std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, c
     const Scalar along = of(c11) * xi, across = of(c22) * eta + of(c23) * spin;
     const Scalar turning = of(c11) * of(c22) * spin * spin, square = along * along + across * across + turning;
     const Scalar slip = sqrt(square + Scalar(1e-200)) * (shear_modulus * a * b);  // no division by 0 in its derivative
-    const Scalar sticking = bound * CreepForceGrid::saturation_scale;
+    const Scalar sticking = bound * CreepForceTable::Grid::saturation_scale;
     const Scalar sum = sticking + slip, stick = sum > 0 ? Scalar(sticking / sum) : Scalar(1);
     const Scalar reach = of(full_sliding_share) + (1 - of(full_sliding_share)) * stick,
                  middle = 4 * stick * (1 - stick), half = middle * middle;

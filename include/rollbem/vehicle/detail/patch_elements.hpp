@@ -98,7 +98,7 @@ namespace rollbem {
 
 inline PatchElements elements_for(const RailPatch& patch) {
     constexpr Eigen::Index lines = 240, most = 25;
-    const Outline& outline = *patch.outline;
+    const PatchContact::Outline& outline = *patch.outline;
     const double height = outline.high() - outline.low(), step = height / lines;
     Eigen::ArrayXd lengths(lines);
     for (Eigen::Index k = 0; k < lines; ++k) {

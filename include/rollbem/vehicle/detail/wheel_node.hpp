@@ -14,6 +14,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "../../normal/detail/mirrored_patch.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../contact_table.hpp"
 #include "../wheelset_forces.hpp"
 #include "creep_matrices.hpp"
@@ -98,7 +100,7 @@ inline std::vector<NodeFriction::Strip> strips_of(const std::vector<RailPatch>& 
         const double cosine = std::cos(patches[k].angle);
         double last = std::numeric_limits<double>::quiet_NaN();
         for (std::size_t i = own.first_element; i < own.first_element + std::size_t(own.elements); ++i) {
-            const LoadedRectangle& of = own.surface[i];
+            const Yield::LoadedRectangle& of = own.surface[i];
             const double area = (of.x_2 - of.x_1) * (of.y_2 - of.y_1), s = (of.y_1 + of.y_2) / 2;
             if (s != std::exchange(last, s)) strips.push_back({patches[k].y + s * cosine, RollingForces::Zero()});
             strips.back().force -= area * RollingForces(of.traction_x, of.traction_y * cosine);  // of the rail
@@ -108,7 +110,7 @@ inline std::vector<NodeFriction::Strip> strips_of(const std::vector<RailPatch>& 
 }
 
 /// Friction under all reference motions that have a result.
-inline std::vector<NodeFriction> friction_of(const WheelNode& node, const TrackDimensions& dimensions) {
+inline std::vector<NodeFriction> friction_of(const WheelNode& node, const WheelOnRail::Dimensions& dimensions) {
     std::vector<NodeFriction> found;
     for (const int mirror : {1, -1}) {
         if (mirror < 0 && !(node.at.yaw > 0)) continue;
@@ -130,7 +132,8 @@ inline std::vector<NodeFriction> friction_of(const WheelNode& node, const TrackD
 
 /// Rows of all zones; zones that carry nothing have a share of 0.
 inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactTable::Zones& zones,
-                                                 const TrackDimensions& dimensions, const CreepForceTable& creep) {
+                                                 const WheelOnRail::Dimensions& dimensions,
+                                                 const CreepForceTable& creep) {
     using enum ContactRow::Of;
     std::vector<ContactRow::Values> found;
     double carried = 0;
@@ -172,7 +175,7 @@ inline ZoneMotion zone_motion(const ContactRow::Values& v, const NodeFriction& m
 
 /// Friction on the ellipse of a zone under a vertical load of the wheel; `yaw` is the node's.
 inline RollingForces zone_force(const ContactRow::Values& v, double vertical, double yaw, const ZoneMotion& motion,
-                                const TrackDimensions& dimensions, const CreepForceTable& creep) {
+                                const WheelOnRail::Dimensions& dimensions, const CreepForceTable& creep) {
     using enum ContactRow::Of;
     const double N = v[share] * vertical / std::cos(v[angle]), root = std::cbrt(N), a = v[length] * root,
                  b = v[width] * root;
@@ -188,8 +191,8 @@ inline RollingForces zone_force(const ContactRow::Values& v, double vertical, do
 
 /// Forces of friction on the ellipses of the zones.
 inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& points, const WheelNode& node,
-                                     double vertical, const NodeFriction& motion, const TrackDimensions& dimensions,
-                                     const CreepForceTable& creep) {
+                                     double vertical, const NodeFriction& motion,
+                                     const WheelOnRail::Dimensions& dimensions, const CreepForceTable& creep) {
     RollingForces sum = RollingForces::Zero();
     for (const ContactRow::Values& v : points) {
         if (v[ContactRow::share] > 0)
@@ -201,7 +204,7 @@ inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& poin
 /// Fits the row `bend` of the zones of a node to friction on its patches: three steps of Gauss and Newton. Errors of a
 /// zone count over its own mu N, the bend over what small shares must not exceed.
 inline void fit_bends(std::vector<ContactRow::Values>& points, const ContactTable::Zones& zones, const WheelNode& node,
-                      const std::vector<NodeFriction>& motions, const TrackDimensions& dimensions,
+                      const std::vector<NodeFriction>& motions, const WheelOnRail::Dimensions& dimensions,
                       const CreepForceTable& creep) {
     using enum ContactRow::Of;
     constexpr double fitted_share = 1e-3, prior = 0.1, most_weight = 20, most = 0.5, step = 1e-3;

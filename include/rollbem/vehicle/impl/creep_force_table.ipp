@@ -22,8 +22,8 @@
 
 namespace rollbem {
 
-ROLLBEM_DECL CreepForceGrid::CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b,
-                                            int levels, std::vector<CreepCoefficients<double>> coefficients)
+ROLLBEM_DECL CreepForceTable::Grid::Grid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b,
+                                         int levels, std::vector<CreepCoefficients<double>> coefficients)
     : nu_(poisson_ratio),
       smallest_(smallest_a_over_b),
       largest_(largest_a_over_b),
@@ -58,7 +58,7 @@ ROLLBEM_DECL CreepForceGrid::CreepForceGrid(double poisson_ratio, double smalles
     }
 }
 
-ROLLBEM_DECL auto CreepForceGrid::slabs() const -> std::vector<Slab> {
+ROLLBEM_DECL auto CreepForceTable::Grid::slabs() const -> std::vector<Slab> {
     std::vector<Slab> slabs;
     for (Eigen::Index shape = 0; shape < shapes(); ++shape) {
         for (Eigen::Index node = 0; node < nodes(); ++node) {
@@ -97,7 +97,7 @@ public:
     /// in full sliding. The values inside depend on the spline, hence the iteration. A step of 2/3 leaves about a third
     /// of the error, also at nodes that are nearly their own mirror image, where a full step would only change the
     /// error's sign.
-    void complete(const CreepForceGrid& grid, Eigen::Index shape) {
+    void complete(const CreepForceTable::Grid& grid, Eigen::Index shape) {
         struct Outer {
             int x, y, spin;
             double size;
@@ -393,8 +393,8 @@ struct CreepForceTable::Splines {
     }
 
     auto rest_correction(const Ellipse& on) const noexcept -> RestCorrection {
-        const double step =
-            CreepForceGrid::saturation_scale / static_cast<double>(table.n_);  // step of X for one level, at rest
+        const double step = CreepForceTable::Grid::saturation_scale /
+                            static_cast<double>(table.n_);  // step of X for one level, at rest
         Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
         for (Eigen::Index k = 0; k < 4; ++k) {
             const Eigen::Array<double, 7, 1> of = table.at_rest_.col(on.cell + k).template head<7>();
@@ -468,7 +468,8 @@ struct CreepForceTable::Splines {
                      stiffness = contact.shear_modulus * c * c;
         const Ellipse on = ellipse(contact.half_length / contact.half_width);
         const Eigen::Array3d w = linear_law(on.linear, c, creepage);
-        const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, w.matrix().stableNorm());
+        const CreepForceTable::Grid::Stretch stretch =
+            CreepForceTable::Grid::stretch(bound / stiffness, w.matrix().stableNorm());
         if (std::isinf(stretch.factor)) return {0, 0, 0};
         const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(table.n_));
         if (!detail::is_finite(u.sum())) return {u.sum(), u.sum(), u.sum()};
@@ -503,7 +504,7 @@ struct CreepForceTable::Splines {
         const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // coordinates X mu N/(G a b) per creepage
         const Eigen::Array3d w = linear_law(linear, c, creepage);
         const double size = w.matrix().stableNorm();
-        const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
+        const CreepForceTable::Grid::Stretch stretch = CreepForceTable::Grid::stretch(bound / stiffness, size);
         if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
             const TangentialForce none{0, 0, 0};
             return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, Status::ok};
@@ -580,7 +581,7 @@ struct CreepForceTable::Splines {
     static void fill_rest_correction(CreepForceTable& table);
 };
 
-ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid)
+ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceTable::Grid grid)
     : grid_(std::move(grid)),
       n_(grid_.levels()),
       first_log_(std::log(grid_.smallest_a_over_b())),
@@ -589,7 +590,8 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid)
     coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * Splines{*this}.per_shape()) * Splines::width);
 }
 
-ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
+ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceTable::Grid grid,
+                                              const Eigen::Ref<const Eigen::Array3Xd>& forces)
     : CreepForceTable(std::move(grid)) {
     const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
     detail::require(forces.cols() == nodes * shapes, Splines::name, "number of forces", forces.cols(),
@@ -604,7 +606,7 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::
     for (Eigen::Index shape = 0; shape < shapes; ++shape) {
         detail::ForceLattice cube(grid_.levels());
         for (Eigen::Index node = 0; node < nodes; ++node) {
-            const CreepForceGrid::Place& place = grid_.place(node);
+            const CreepForceTable::Grid::Place& place = grid_.place(node);
             cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
         }
         cube.complete(grid_, shape);
@@ -678,7 +680,8 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(std::istream& stream) {
     for (CreepCoefficients<double>& c : coefficients) {
         for (double* value : {&c.c11, &c.c22, &c.c23, &c.c32, &c.c33}) *value = reader.number();
     }
-    CreepForceTable table(CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
+    CreepForceTable table(
+        CreepForceTable::Grid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
     for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
         if (i % Splines::width == 3) continue;
         const float value = reader.single();

@@ -13,6 +13,8 @@
 
 #include "../../detail/parallel_for.hpp"
 #include "../../detail/require.hpp"
+#include "../../normal/detail/mirrored_patch.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../detail/free_pitch_rate.hpp"
 #include "../detail/wheel_node.hpp"
 #include "../wheelset_forces.hpp"
@@ -102,8 +104,8 @@ struct JudgedNode {
 /// friction on patches, and of the time of a look-up.
 class ZoneFinder {
 public:
-    ZoneFinder(const std::vector<JudgedNode>& nodes, const TrackDimensions& dimensions, const CreepForceTable& creep,
-               std::size_t jobs)
+    ZoneFinder(const std::vector<JudgedNode>& nodes, const WheelOnRail::Dimensions& dimensions,
+               const CreepForceTable& creep, std::size_t jobs)
         : dimensions_(dimensions), creep_(creep), jobs_(jobs) {
         for (const auto& [node, motions] : nodes) {
             if (node->patches.empty() || motions->empty()) continue;
@@ -184,7 +186,7 @@ private:
         return found;
     }
 
-    const TrackDimensions& dimensions_;
+    const WheelOnRail::Dimensions& dimensions_;
     const CreepForceTable& creep_;
     std::size_t jobs_;
     std::vector<Judged> judged_;
@@ -434,7 +436,7 @@ ROLLBEM_DECL void ContactTableMaker::require_whole(const std::vector<ContactTabl
 }
 
 ROLLBEM_DECL auto ContactTableMaker::material() const -> ContactTable::Material {
-    const TrackDimensions& right = dimensions(side_count() - 1);
+    const WheelOnRail::Dimensions& right = dimensions(side_count() - 1);
     return {right.shear_modulus, right.poisson_ratio};
 }
 

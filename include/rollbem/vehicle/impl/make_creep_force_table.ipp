@@ -110,13 +110,13 @@ ROLLBEM_DECL double CreepForceTable::Source::share_of_shifted(const Creepage& v)
     return spin > 2 ? 0.5 * std::clamp((std::min)(sliding, inside), 0.0, 1.0) : 0;
 }
 
-ROLLBEM_DECL CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, std::size_t jobs) {
+ROLLBEM_DECL CreepForceTable::Grid make_creep_force_grid(const CreepForceTable::Grid::Range& range, std::size_t jobs) {
     constexpr const char* who = "make_creep_force_grid";
     detail::require(range.shapes >= 4 && range.shapes <= 1000, who, "shapes", range.shapes, "lie in [4, 1000]");
     std::vector<CreepCoefficients<double>> coefficients(static_cast<std::size_t>(range.shapes));
     detail::parallel_for(coefficients.size(), jobs, [&](std::size_t i) {
-        const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
-                                                            range.smallest_a_over_b, range.largest_a_over_b);
+        const double a_over_b = CreepForceTable::Grid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
+                                                                   range.smallest_a_over_b, range.largest_a_over_b);
         CreepForceTable::Source source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
         // under a spin so large that both meshes count
@@ -131,10 +131,10 @@ ROLLBEM_DECL CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& r
     return {range.poisson_ratio, range.smallest_a_over_b, range.largest_a_over_b, range.levels, coefficients};
 }
 
-ROLLBEM_DECL CreepForceTable make_creep_force_table(const CreepForceGrid::Range& range, std::size_t jobs,
+ROLLBEM_DECL CreepForceTable make_creep_force_table(const CreepForceTable::Grid::Range& range, std::size_t jobs,
                                                     const std::function<void(std::size_t, std::size_t)>& progress) {
-    const CreepForceGrid grid = make_creep_force_grid(range, jobs);
-    const std::vector<CreepForceGrid::Slab> slabs = grid.slabs();
+    const CreepForceTable::Grid grid = make_creep_force_grid(range, jobs);
+    const std::vector<CreepForceTable::Grid::Slab> slabs = grid.slabs();
     Eigen::Array3Xd forces(3, grid.shapes() * grid.nodes());
     std::size_t done = 0;
     detail::parallel_for(

@@ -12,6 +12,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/linear_between.hpp"
 #include "../../detail/require.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../simplified_theory.hpp"
 
 namespace rollbem {
@@ -67,7 +68,7 @@ ROLLBEM_DECL PatchForce strip_work_of(const WheelForces::Point& point, const Cre
     if (mu > 0) {
         const SimplifiedTheory theory(point.ellipse, coefficients, mu, point.normal_load, mesh);
         // particles enter FASTSIM's ellipse at its largest x
-        const Mirror mirror = point.rolling_velocity < 0 ? Mirror::reversing_x() : Mirror();
+        const detail::Mirror mirror = point.rolling_velocity < 0 ? detail::Mirror::reversing_x() : detail::Mirror();
         const SimplifiedTheory::Force shares =
             theory.fastsim(mirrored(point.creepage, mirror), [&](const SimplifiedTheory::Element& element) {
                 found.strip_work[element.strip] -=
@@ -86,8 +87,8 @@ ROLLBEM_DECL double archard_coefficient(double pressure, double sliding_velocity
     return sliding_velocity < 0.2 || sliding_velocity > 0.7 ? 5e-4 : 35e-4;
 }
 
-ROLLBEM_DECL WearLaw::WearLaw(const std::vector<double>& t_gamma_per_area, const std::vector<double>& rate) {
-    constexpr const char* who = "WearLaw";
+ROLLBEM_DECL ProfileWear::Law::Law(const std::vector<double>& t_gamma_per_area, const std::vector<double>& rate) {
+    constexpr const char* who = "ProfileWear::Law";
     detail::require(!t_gamma_per_area.empty(), who, "number of places", 0, "be at least 1");
     detail::require(t_gamma_per_area.size() == rate.size(), who, "number of rates", rate.size(),
                     "be the number of places");
@@ -103,20 +104,20 @@ ROLLBEM_DECL WearLaw::WearLaw(const std::vector<double>& t_gamma_per_area, const
     }
 }
 
-ROLLBEM_DECL WearLaw WearLaw::t_gamma() {
-    WearLaw law({0, 10.4, 77.2}, {0, 55.12, 55.12});
+ROLLBEM_DECL ProfileWear::Law ProfileWear::Law::t_gamma() {
+    ProfileWear::Law law({0, 10.4, 77.2}, {0, 55.12, 55.12});
     law.slope_ = 1e-9 / density * 61.9;
     return law;
 }
 
-ROLLBEM_DECL WearLaw WearLaw::archard_kth(double hardness) {
-    detail::require_positive("WearLaw", "hardness", hardness);
-    WearLaw law;
+ROLLBEM_DECL ProfileWear::Law ProfileWear::Law::archard_kth(double hardness) {
+    detail::require_positive("ProfileWear::Law", "hardness", hardness);
+    ProfileWear::Law law;
     law.hardness_ = hardness;
     return law;
 }
 
-ROLLBEM_DECL double WearLaw::depth(const Place& place) const {
+ROLLBEM_DECL double ProfileWear::Law::depth(const Place& place) const {
     if (hardness_ > 0) {
         return archard_coefficient(place.pressure, place.sliding_velocity, hardness_) * place.pressure * place.slip /
                hardness_;
@@ -125,7 +126,7 @@ ROLLBEM_DECL double WearLaw::depth(const Place& place) const {
     return detail::linear_between(work_, depth_, place.work) + slope_ * (std::max)(0.0, place.work - work_.back());
 }
 
-ROLLBEM_DECL PatchForce wear_of(const PatchForce& friction, const WearLaw& law, double velocity) {
+ROLLBEM_DECL PatchForce wear_of(const PatchForce& friction, const ProfileWear::Law& law, double velocity) {
     constexpr Eigen::Index parts = 4;  // of a strip
     PatchForce worn = friction;
     const Eigen::ArrayXd& edges = friction.edges;
@@ -138,10 +139,10 @@ ROLLBEM_DECL PatchForce wear_of(const PatchForce& friction, const WearLaw& law, 
     const Eigen::ArrayXd widths = edges.tail(strips) - edges.head(strips);
     Eigen::ArrayXd volumes = Eigen::ArrayXd::Zero(strips);
     for (Eigen::Index i = 0; i < friction.slip.size(); ++i) {
-        const LoadedRectangle& element = friction.surface[friction.first_element + std::size_t(i)];
+        const Yield::LoadedRectangle& element = friction.surface[friction.first_element + std::size_t(i)];
         const double area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
-        const WearLaw::Place place{friction.work[i] / area, element.pressure, friction.slip[i],
-                                   friction.slip[i] * std::abs(velocity)};
+        const ProfileWear::Law::Place place{friction.work[i] / area, element.pressure, friction.slip[i],
+                                            friction.slip[i] * std::abs(velocity)};
         const double* const inner = edges.data() + 1;
         volumes[std::upper_bound(inner, inner + strips - 1, (element.y_1 + element.y_2) / 2) - inner] +=
             law.depth(place) * area;

@@ -18,15 +18,19 @@
 #include "../../elasticity/patch_kernel.hpp"
 #include "../../friction/model.hpp"
 #include "../../normal/detail/finite_position.hpp"
+#include "../../normal/detail/mirrored_patch.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../detail/free_pitch_rate.hpp"
+#include "../detail/mirrored_forces.hpp"
 #include "../detail/patch_elements.hpp"
 #include "../detail/slip_velocity.hpp"
 
 namespace rollbem {
 
 ROLLBEM_DECL Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat,
-                                              const Eigen::ArrayXd& at, double speed, const Heating& heating) {
+                                              const Eigen::ArrayXd& at, double speed,
+                                              const RollingFriction::Heating& heating) {
     const double factor = std::sqrt(heating.diffusivity() / (std::numbers::pi * speed)) / heating.conductivity;
     const auto root = [](double x) { return std::sqrt((std::max)(x, 0.0)); };
     Eigen::ArrayXd found = Eigen::ArrayXd::Zero(at.size());
@@ -38,9 +42,9 @@ ROLLBEM_DECL Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const
     return factor * found;
 }
 
-ROLLBEM_DECL RailFriction::RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients)
+ROLLBEM_DECL RollingFriction::OnRail::OnRail(Over over, std::vector<double> nodes, std::vector<double> coefficients)
     : over_(over), nodes_(std::move(nodes)), coefficients_(std::move(coefficients)) {
-    constexpr const char* name = "RailFriction";
+    constexpr const char* name = "RollingFriction::OnRail";
     detail::require(!nodes_.empty(), name, "number of nodes", nodes_.size(), "be at least 1");
     detail::require(nodes_.size() == coefficients_.size(), name, "number of coefficients", coefficients_.size(),
                     "be the number of nodes");
@@ -56,28 +60,9 @@ ROLLBEM_DECL RailFriction::RailFriction(Over over, std::vector<double> nodes, st
     }
 }
 
-ROLLBEM_DECL double RailFriction::at(double angle, double y) const {
+ROLLBEM_DECL double RollingFriction::OnRail::at(double angle, double y) const {
     const double place = over_ == Over::angle ? angle : y;
     return detail::linear_between(nodes_, coefficients_, place);
-}
-
-ROLLBEM_DECL PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
-    friction.creepage = mirrored(friction.creepage, mirror);
-    friction.force = mirrored(friction.force, mirror);
-    const auto [x, y, z] = mirror.of_vector();
-    if (y < 0) {
-        friction.edges = -friction.edges.reverse().eval();
-        friction.strip_work = friction.strip_work.reverse().eval();
-    }
-    for (LoadedRectangle& element : friction.surface) {
-        if (x < 0)
-            element = {-element.x_2,        -element.x_1,       element.y_1,     element.y_2,
-                       -element.traction_x, element.traction_y, element.pressure};
-        if (y < 0)
-            element = {element.x_1,        element.x_2,         -element.y_2,    -element.y_1,
-                       element.traction_x, -element.traction_y, element.pressure};
-    }
-    return friction;
 }
 
 ROLLBEM_DECL WheelsetForces::Wrench WheelsetForces::Wrench::at(const std::array<double, 3>& arm,
@@ -98,14 +83,6 @@ ROLLBEM_DECL auto WheelsetForces::Wrench::operator+=(const WheelsetForces::Wrenc
     return *this;
 }
 
-ROLLBEM_DECL WheelsetForces::Wrench mirrored(WheelsetForces::Wrench wrench, const Mirror& mirror) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        wrench.force[i] *= mirror.of_vector()[i];
-        wrench.moment[i] *= mirror.of_turn()[i];
-    }
-    return wrench;
-}
-
 }  // namespace rollbem
 
 namespace rollbem::detail {
@@ -115,7 +92,7 @@ struct RollingPatches {
     std::vector<const RailPatch*> patches;
     const WheelsetPosition& at;
     const WheelsetSpeeds& speeds;
-    const TrackDimensions& dimensions;
+    const WheelOnRail::Dimensions& dimensions;
 
     Creepage creepage(std::size_t k) const { return creepage_of(*patches[k], at, speeds, dimensions.radius); }
 };
@@ -180,7 +157,8 @@ struct PatchTemperatures {
 };
 
 inline PatchTemperatures temperatures_of(const std::vector<PatchMesh<double>::Rectangle>& elements, Eigen::Index along,
-                                         const Eigen::ArrayXd& work, double speed, const Heating& heating) {
+                                         const Eigen::ArrayXd& work, double speed,
+                                         const RollingFriction::Heating& heating) {
     PatchTemperatures found{Eigen::ArrayXd(work.size()), 0};
     for (Eigen::Index first = 0; first < work.size(); first += along) {
         Eigen::ArrayXd edges(along + 1), heat(along);
@@ -244,7 +222,7 @@ public:
         const Eigen::ArrayXd cold = coefficients_on(meshes_, rolling_, friction_);
         MeshFriction found = with(cold);
         if (!friction_.heating || found.status != Status::ok) return found;
-        const std::optional<Heating::Friction>& hot = friction_.heating->friction;
+        const std::optional<RollingFriction::Heating::Friction>& hot = friction_.heating->friction;
         constexpr double settled = 1e-7;
         Eigen::ArrayXd mu = cold;
         for (int round = 0; round < 100; ++round) {
@@ -265,8 +243,8 @@ public:
     }
 
     /// Loads of the rail's surface under tractions of the wheel.
-    std::vector<LoadedRectangle> surface(const ElementVectors& tractions) const {
-        std::vector<LoadedRectangle> found;
+    std::vector<Yield::LoadedRectangle> surface(const ElementVectors& tractions) const {
+        std::vector<Yield::LoadedRectangle> found;
         for (const PatchMesh<double>& mesh : meshes_.patches) {
             for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
                 const auto i = Eigen::Index(found.size());
@@ -293,7 +271,7 @@ private:
 
     /// The temperatures of all elements, and peaks; none where the contact passes slowly.
     std::optional<Eigen::ArrayXd> heat(MeshFriction& of) const {
-        const Heating& heating = *friction_.heating;
+        const RollingFriction::Heating& heating = *friction_.heating;
         Eigen::ArrayXd found(of.work.size());
         std::vector<double> peaks;
         for (std::size_t k = 0; k < meshes_.patches.size(); ++k) {
@@ -353,7 +331,7 @@ inline std::vector<PatchForce> friction_on(const AssembledMesh& assembled_mesh, 
 /// Friction on the patches of one plane under several motions, which may also roll backwards or stand still.
 class PlaneFriction {
 public:
-    PlaneFriction(std::vector<RailPatch> patches, const WheelsetPosition& at, const TrackDimensions& dimensions,
+    PlaneFriction(std::vector<RailPatch> patches, const WheelsetPosition& at, const WheelOnRail::Dimensions& dimensions,
                   const RollingFriction& friction)
         : patches_(std::move(patches)),
           at_(at),
@@ -404,7 +382,7 @@ public:
 private:
     const std::vector<RailPatch> patches_;
     const WheelsetPosition at_;
-    const TrackDimensions& dimensions_;
+    const WheelOnRail::Dimensions& dimensions_;
     const RollingFriction& friction_;
     PatchContact contact_;
     std::vector<PatchElements> elements_;
@@ -437,7 +415,7 @@ namespace rollbem {
 ROLLBEM_DECL std::vector<std::vector<PatchForce>> patch_forces(const std::vector<RailPatch>& patches,
                                                                const WheelsetPosition& at,
                                                                const std::vector<WheelsetSpeeds>& motions,
-                                                               const TrackDimensions& dimensions,
+                                                               const WheelOnRail::Dimensions& dimensions,
                                                                const RollingFriction& friction) {
     detail::require_valid(friction);
     std::vector<std::vector<PatchForce>> found(motions.size(), std::vector<PatchForce>(patches.size()));
@@ -454,7 +432,8 @@ ROLLBEM_DECL std::vector<std::vector<PatchForce>> patch_forces(const std::vector
 }
 
 ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                                  const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                                  const WheelsetSpeeds& speeds,
+                                                  const WheelOnRail::Dimensions& dimensions,
                                                   const RollingFriction& friction) {
     return patch_forces(patches, at, std::vector{speeds}, dimensions, friction)[0];
 }
@@ -498,7 +477,7 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
         patch.slip_work *= factor;
         patch.strip_work *= factor;
         patch.work *= factor;
-        for (LoadedRectangle& element : patch.surface) {
+        for (Yield::LoadedRectangle& element : patch.surface) {
             for (double* of : {&element.traction_x, &element.traction_y, &element.pressure}) *of *= factor;
         }
     }

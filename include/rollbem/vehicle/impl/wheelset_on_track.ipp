@@ -15,6 +15,7 @@
 #include "../../detail/require.hpp"
 #include "../../detail/rising_root.hpp"
 #include "../../normal/detail/finite_position.hpp"
+#include "../../scene/detail/mirror.hpp"
 #include "../detail/slip_velocity.hpp"
 
 namespace rollbem {
@@ -46,7 +47,7 @@ ROLLBEM_DECL Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const Wheel
     return rows;
 }
 
-ROLLBEM_DECL PatchContact contact_of(const RailPatch& patch, const TrackDimensions& dimensions) {
+ROLLBEM_DECL PatchContact contact_of(const RailPatch& patch, const WheelOnRail::Dimensions& dimensions) {
     detail::require(patch.outline.has_value(), "contact_of", "status of the patch", name(patch.status), "be ok");
     return {*patch.outline, dimensions.shear_modulus, dimensions.poisson_ratio};
 }
@@ -160,8 +161,8 @@ ROLLBEM_DECL WheelsetOnTrack::RollingRadii rolling_radii(const WheelsetOnTrack& 
     return radii;
 }
 
-ROLLBEM_DECL RadiusDifference::RadiusDifference(Eigen::ArrayXd lateral, Eigen::ArrayXd difference, double distance,
-                                                double radius)
+ROLLBEM_DECL WheelsetOnTrack::RadiusDifference::RadiusDifference(Eigen::ArrayXd lateral, Eigen::ArrayXd difference,
+                                                                 double distance, double radius)
     : y_(std::move(lateral)), difference_(std::move(difference)), distance_(distance), radius_(radius) {
     constexpr const char* who = "RadiusDifference";
     const Eigen::Index n = y_.size();
@@ -180,18 +181,18 @@ ROLLBEM_DECL RadiusDifference::RadiusDifference(Eigen::ArrayXd lateral, Eigen::A
     }
 }
 
-ROLLBEM_DECL double RadiusDifference::at(double lateral) const {
+ROLLBEM_DECL double WheelsetOnTrack::RadiusDifference::at(double lateral) const {
     const Eigen::Index i = interval(lateral);
     return difference_[i] + slope(i) * (lateral - y_[i]);
 }
 
-ROLLBEM_DECL double RadiusDifference::integral(double lateral) const {
+ROLLBEM_DECL double WheelsetOnTrack::RadiusDifference::integral(double lateral) const {
     const Eigen::Index i = interval(lateral);
     const double from = lateral - y_[i];
     return integral_[i] + from * (difference_[i] + slope(i) * from / 2);
 }
 
-ROLLBEM_DECL Eigen::Index RadiusDifference::interval(double lateral) const {
+ROLLBEM_DECL Eigen::Index WheelsetOnTrack::RadiusDifference::interval(double lateral) const {
     const double* const inner = y_.data() + 1;
     return std::upper_bound(inner, inner + y_.size() - 2, lateral) - inner;
 }
@@ -215,7 +216,7 @@ struct WaveMiddle {
 /// The middle of a wave of this amplitude: the zero of value(middle) [m^2], which rises; beyond_clearance unless the
 /// zero lies between the ends of Delta r, unstable where the function falls from end to end.
 template <class Value>
-WaveMiddle middle_of_wave(const RadiusDifference& radii, double amplitude, const Value& value) {
+WaveMiddle middle_of_wave(const WheelsetOnTrack::RadiusDifference& radii, double amplitude, const Value& value) {
     constexpr double balanced = 1e-12;  // symmetric wheelsets have their wave in the middle
     double low = radii.low() + amplitude, high = radii.high() - amplitude;
     if (!(low <= high)) return {0, Status::beyond_clearance};
@@ -248,10 +249,11 @@ double mean_over_wave(const Function& f) {
 
 namespace rollbem {
 
-ROLLBEM_DECL RadiusDifference::Conicity equivalent_conicity(const RadiusDifference& radii, double amplitude) {
+ROLLBEM_DECL WheelsetOnTrack::RadiusDifference::Conicity equivalent_conicity(
+    const WheelsetOnTrack::RadiusDifference& radii, double amplitude) {
     detail::require(detail::is_finite(amplitude) && amplitude >= detail::least_amplitude, "equivalent_conicity",
                     "amplitude", amplitude, "be positive and finite, and at least 1e-6 m");
-    RadiusDifference::Conicity result{.amplitude = amplitude};
+    WheelsetOnTrack::RadiusDifference::Conicity result{.amplitude = amplitude};
     const detail::WaveMiddle middle = detail::middle_of_wave(
         radii, amplitude, [&](double y) { return radii.integral(y + amplitude) - radii.integral(y - amplitude); });
     const detail::WaveMiddle balanced = detail::middle_of_wave(radii, amplitude, [&](double y) {
@@ -280,9 +282,9 @@ ROLLBEM_DECL RadiusDifference::Conicity equivalent_conicity(const RadiusDifferen
     return result;
 }
 
-ROLLBEM_DECL std::optional<double> conicity_nonlinearity(const RadiusDifference& radii) {
-    const RadiusDifference::Conicity little = equivalent_conicity(radii, 2e-3),
-                                     large = equivalent_conicity(radii, 4e-3);
+ROLLBEM_DECL std::optional<double> conicity_nonlinearity(const WheelsetOnTrack::RadiusDifference& radii) {
+    const WheelsetOnTrack::RadiusDifference::Conicity little = equivalent_conicity(radii, 2e-3),
+                                                      large = equivalent_conicity(radii, 4e-3);
     if (little.status != Status::ok || large.status != Status::ok) return std::nullopt;
     return (large.tan_gamma - little.tan_gamma) / 2e-3;
 }
@@ -320,7 +322,8 @@ inline std::vector<WheelsetOnTrack::RollingRadii> radii_outwards(const WheelsetO
 
 namespace rollbem {
 
-ROLLBEM_DECL std::optional<RadiusDifference> radius_difference(const WheelsetOnTrack& wheelset, double step) {
+ROLLBEM_DECL std::optional<WheelsetOnTrack::RadiusDifference> radius_difference(const WheelsetOnTrack& wheelset,
+                                                                                double step) {
     detail::require(step >= 1e-6 && step <= 1e-3, "radius_difference", "step", step, "lie in [1e-6, 1e-3]");
     std::vector<WheelsetOnTrack::RollingRadii> radii = detail::radii_outwards(wheelset, -step);
     const std::vector<WheelsetOnTrack::RollingRadii> right = detail::radii_outwards(wheelset, step);
@@ -345,7 +348,21 @@ ROLLBEM_DECL std::optional<RadiusDifference> radius_difference(const WheelsetOnT
     };
     const double distance = low.distance() + share * (high.distance() - low.distance()),
                  radius = mean(low) + share * (mean(high) - mean(low));
-    return RadiusDifference(std::move(y), std::move(difference), distance, radius);
+    return WheelsetOnTrack::RadiusDifference(std::move(y), std::move(difference), distance, radius);
+}
+
+ROLLBEM_DECL WheelsetPosition WheelsetOnTrack::seen_from(Side side, const WheelsetPosition& position) {
+    return detail::mirrored(position, detail::Mirror::of(side));
+}
+
+ROLLBEM_DECL WheelsetSpeeds WheelsetOnTrack::seen_from(Side side, const WheelsetSpeeds& speeds) {
+    return detail::mirrored(speeds, detail::Mirror::of(side));
+}
+
+ROLLBEM_DECL WheelsetPosition WheelsetOnTrack::Contacts::seen(Side side) const {
+    WheelsetPosition at = seen_from(side, position);
+    at.height = wheels[std::size_t(side)].height;
+    return at;
 }
 
 }  // namespace rollbem
