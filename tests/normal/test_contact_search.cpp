@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -661,51 +662,46 @@ TEST_CASE("contact_search: a contact that another one lifts is none", "[profiles
 
 TEST_CASE("contact_search: regions that appear or vanish have the cells of the finest, and whether these suffice",
           "[profiles]") {
-    // two crowns with flat tops, one of which lies 60 um lower; rough ones are given up early
-    for (const double noise : {0.0, 8e-6}) {
+    detail::ContactSettings settings = coarse_cells;
+    settings.cells_x = 6;
+    settings.halves_cells = true;
+    // two crowns with flat tops, one of which lies 60 um lower; of rough ones cells are given up early
+    for (const auto& [noise, first] : {std::pair{0.0, 5e-5}, {0.0, 7e-5}, {8e-6, 5e-5}}) {
         std::mt19937 random(1);
-        const auto rough = [&](double z) { return z + noise * (double(random()) / double(std::mt19937::max()) - 0.5); };
-        const Profile tread = piece(-0.06, 0.06, 481, [&](double) { return rough(0); }),
-                      crowns = piece(-0.05, 0.05, noise > 0 ? 401 : 1001, [&](double y) {
-                          const double beside = std::max(std::abs(std::abs(y) - 0.03) - 0.004, 0.0);
-                          return rough(20 * beside * beside + (y > 0 ? 6e-5 : 0));
-                      });
+        const auto rough = [&, size = noise](double z) {
+            return z + size * (double(random()) / double(std::mt19937::max()) - 0.5);
+        };
+        const Profile tread = piece(-0.06, 0.06, 481, [&](double) { return rough(0); });
+        const Profile crowns = piece(-0.05, 0.05, noise > 0 ? 401 : 1001, [&](double y) {
+            return rough(20 * std::pow(std::max(std::abs(std::abs(y) - 0.03) - 0.004, 0.0), 2) + (y > 0 ? 6e-5 : 0));
+        });
         const WheelOnRail wheel(tread, crowns, above);
-        detail::ContactSettings settings = coarse_cells;
-        settings.cells_x = 6;
-        settings.halves_cells = true;
-        for (const double first : {5e-5, 7e-5}) {
-            detail::RegionSolver solver;
-            REQUIRE(solver.locate(wheel.geometry(), {}, settings) == Status::ok);
-            const double height = solver.touch() + first, other = solver.touch() + 12e-5 - first;
-            solver.divide(height);
-            solver.refine(height, 0, false, true);
-            solver.settle(0, 1e-4, false);
-            while (solver.double_cells()) {
-                solver.refine(height, 1, false, true);
-                solver.settle(0, 1e-4, true);
-            }
-            const auto cells = [&] {
-                Eigen::Index x = 0, s = 0;
-                for (const RailPatch& patch : solver.patches(0)) {
-                    x = std::max(x, patch.grid.nx);
-                    s = std::max(s, patch.grid.ny);
-                }
-                return std::pair(x, s);
-            };
-            const auto before = cells();
-            solver.refine(other, 1, true, true);
-            solver.settle(0, 1e-4, false);
-            CAPTURE(noise, first, before.first, before.second, solver.patches(0).size());
-            CHECK(before.first > 6);
-            CHECK(before.second > 60);
-            CHECK(cells() == before);
-            for (const RailPatch& patch : solver.patches(0)) CHECK((patch.status == Status::few_cells) == (noise > 0));
-            // pressures that do not settle on more cells need still more
-            if (noise > 0) continue;
-            solver.settle(0, 0, false);
-            CHECK(solver.patches(0).at(0).status == Status::few_cells);
+        detail::RegionSolver solver;
+        REQUIRE(solver.locate(wheel.geometry(), {}, settings) == Status::ok);
+        const double height = solver.touch() + first;
+        solver.divide(height);
+        for (int round = 0; round == 0 || solver.double_cells(); round = 1) {
+            solver.refine(height, round, false, true);
+            solver.settle(0, 1e-4, round > 0);
         }
+        const auto finest = [&] {
+            std::pair<Eigen::Index, Eigen::Index> most;
+            for (const RailPatch& patch : solver.patches(0))
+                most = {std::max(most.first, patch.grid.nx), std::max(most.second, patch.grid.ny)};
+            return most;
+        };
+        const auto before = finest();
+        CHECK(before.first > 6);
+        CHECK(before.second > 60);
+        solver.refine(solver.touch() + 12e-5 - first, 1, true, true);
+        solver.settle(0, 1e-4, false);
+        CAPTURE(noise, first);
+        CHECK(finest() == before);
+        for (const RailPatch& patch : solver.patches(0)) CHECK((patch.status == Status::few_cells) == (noise > 0));
+        if (noise > 0) continue;
+        // pressures that do not settle on more cells need still more
+        solver.settle(0, 0, false);
+        CHECK(solver.patches(0).at(0).status == Status::few_cells);
     }
 }
 
@@ -759,21 +755,15 @@ TEST_CASE("contact_search: cells become smaller where halves of them would chang
 }
 
 TEST_CASE("contact_search: several lobes, and lines across the rail, have at least 60 cells along s", "[profiles]") {
-    struct Scene {
-        std::function<double(double)> z;
-        double load;
-        Eigen::Index cells;
-    };
-    const auto lobes = [](double y) { return 2e-5 * std::pow(y * y / 3.6e-5 - 1, 2) + 2e-3 * y; };
+    const Profile crown = piece(-0.02, 0.02, 801, [](double y) { return y * y / 0.6; }),
+                  line = piece(-0.02, 0.02, 801, [](double y) { return y * y / 40; }),
+                  lobes = piece(-0.02, 0.02, 801,
+                                [](double y) { return 2e-5 * std::pow(y * y / 3.6e-5 - 1, 2) + 2e-3 * y; });
     WheelOnRail::Workspace workspace;
-    for (const auto& [z, load, cells] : {Scene{[](double y) { return y * y / 0.6; }, 1e4, 20},
-                                         {[](double y) { return y * y / 40; }, 1e4, 60},
-                                         {lobes, 3e4, 60},
-                                         {lobes, 1e4, 20}}) {
-        const WheelOnRail wheel(cylinder(), piece(-0.02, 0.02, 801, z), above);
-        const auto contact = wheel.solve_for_load({}, load, workspace, {.halves_cells = false});
-        CAPTURE(z(0.003), load);
-        CHECK(contact.patches.at(0).grid.ny == cells);
+    for (const auto& [rail, load, cells] :
+         {std::tuple(&crown, 1e4, 20), {&line, 1e4, 60}, {&lobes, 3e4, 60}, {&lobes, 1e4, 20}}) {
+        const WheelOnRail wheel(cylinder(), *rail, above);
+        CHECK(wheel.solve_for_load({}, load, workspace, {.halves_cells = false}).patches.at(0).grid.ny == cells);
     }
 }
 
@@ -804,11 +794,35 @@ TEST_CASE("contact_search: cells become smaller along x for waves between their 
     CHECK(contact.patches.at(0).peak_pressure == Approx(expected.patches.at(0).peak_pressure).epsilon(0.05));
 }
 
-TEST_CASE("contact_search: a contact that outgrows its cells on the last steps to its load is solved again",
+TEST_CASE("contact_search: the last steps to a load: a contact that outgrows its cells, an approach beside points",
           "[profiles]") {
     WheelOnRail::Workspace workspace;
     const WheelsetPosition at{.lateral = 1.99281e-3, .roll = 1.57114e-3, .yaw = 2.44304e-3};
     CHECK(s1002_on_uic60().solve_for_load(at, 11507.16, workspace).status == Status::ok);
+    const WheelOnRail skew(cylinder(), piece(-0.02, 0.02, 1601, [](double y) { return y * y / 0.6 + 5 * y * y * y; }),
+                           above);
+    for (const double load : {1e4, 3e4}) {
+        const auto contact = skew.solve_for_load({}, load, workspace);
+        CHECK(contact.patches.at(0).approach == Approx(contact.height).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("contact_search: loads between those before and after contacts get a plane each", "[profiles]") {
+    // both sides of a groove in a bowl, whose normals part as the contacts grow
+    const auto bowl = [](double y) { return -26.5 * y * y; };
+    const Profile wheel = piece(-0.012, 0.012, 2401, bowl),
+                  rail = piece(-0.012, 0.012, 2401, [&](double y) {
+                      const double edge = std::abs(y) - 1.5e-3;
+                      return bowl(y) + (edge > 0 ? 5e-3 * edge : std::min(-0.6 * edge, 3e-4));
+                  });
+    for (const double load : {7012.76, 27137.2, 31069.3}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact = WheelOnRail(wheel, rail, above)
+                                 .solve_for_load({}, load, workspace, {.interaction = false, .halves_cells = false});
+        REQUIRE(has_numbers(contact.status));
+        REQUIRE(contact.patches.size() == 2);
+        CHECK(contact.patches[0].vertical_load() + contact.patches[1].vertical_load() == Approx(load).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are given up early, of one of both not",
@@ -1037,14 +1051,15 @@ TEST_CASE("contact_search: a wheel that yaws so much that its lowest points lie 
 }
 
 TEST_CASE("contact_search: at the end of a rail a contact's plane lies on the rail, of sections, too", "[profiles]") {
-    const Profile ended = piece(-0.03, 1e-3, 401, [](double y) { return y * y / 0.6; });
+    const Profile ended = piece(-0.03, 5e-4, 401, [](double y) { return y * y / 0.6; });
     WheelOnRail::Workspace workspace;
-    const auto plain = WheelOnRail(cylinder(), ended, above).solve_at_height({.height = 5e-5}, workspace, {}),
-               slices = WheelOnRail(cylinder(), RailSurface::roller(ended, 1e6), above)
-                            .solve_at_height({.height = 5e-5}, workspace, {});
-    CHECK(plain.status == Status::end_of_profile);
-    CHECK(slices.status == Status::end_of_profile);
-    CHECK(plain.patches.at(0).y == Approx(slices.patches.at(0).y).margin(2e-5));
+    double y = 0;
+    for (const RailSurface& rail : {RailSurface(ended), RailSurface::roller(ended, 1e6)}) {
+        const auto contact = WheelOnRail(cylinder(), rail, above).solve_at_height({.height = 5e-5}, workspace, {});
+        CHECK(contact.status == Status::end_of_profile);
+        if (y > 0) CHECK(contact.patches.at(0).y == Approx(y).margin(2e-5));
+        y = contact.patches.at(0).y;
+    }
 }
 
 TEST_CASE("contact_search: what is not finite or too deep has its status", "[profiles]") {
