@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -80,23 +81,49 @@ const ElasticBody& steel() {
 }  // namespace
 
 TEST_CASE("contact_search: contacts part where the depth falls below three quarters of both maxima", "[profiles]") {
-    const auto parts = [](double second, double angle) {
+    struct Sample {
+        double depth, angle;
+    };
+    // the number of the sample at which they part, all of them if they do not
+    const auto parts_at = [](const std::vector<Sample>& of) {
         std::vector<detail::PenetrationSample> samples;
-        for (const double depth : {0.0, 1.0, 0.5, second, 0.0}) {
-            const bool before = samples.size() < 2;
+        for (const auto& [depth, angle] : of) {
             samples.push_back(
                 {.wheel_s = 0,
                  .x = 0,
                  .y = 0,
                  .z = 0,
-                 .closest = {.s = 0, .y = 0, .z = 0, .depth = depth, .slope = {1, before ? 0 : -angle}, .inside = true},
+                 .closest = {.s = 0, .y = 0, .z = 0, .depth = depth, .slope = {1, -std::tan(angle)}, .inside = true},
                  .width = 1});
         }
-        return detail::find_split(samples.begin(), samples.end()) != samples.end();
+        return detail::find_split(samples.begin(), samples.end()) - samples.begin();
     };
-    CHECK(parts(0.7, 0.5));
-    CHECK_FALSE(parts(0.6, 0.5));  // 0.5 is more than three quarters of the lesser maximum
-    CHECK_FALSE(parts(0.7, 0.3));  // normals less than 20 degrees apart
+    const auto two = [&](double second, double angle) {
+        return parts_at({{0, 0}, {1, 0}, {0.5, angle}, {second, angle}, {0, angle}});
+    };
+    CHECK(two(0.7, 0.45) == 2);
+    CHECK(two(0.6, 0.45) == 5);  // 0.5 is more than three quarters of the lesser maximum
+    CHECK(two(0.7, 0.3) == 5);   // normals less than 20 degrees apart
+    // of several such minima at the lowest
+    CHECK(parts_at({{0, 0}, {1, 0}, {0.3, 0.5}, {1, 0.5}, {0.5, 1}, {1, 1}, {0, 1}}) == 2);
+    CHECK(parts_at({{0, 0}, {1, 0}, {0.5, 0.5}, {1, 0.5}, {0.3, 1}, {1, 1}, {0, 1}}) == 4);
+}
+
+TEST_CASE("contact_search: a region whose samples all lie above each other has a plane", "[profiles]") {
+    detail::Region wall;
+    for (const double z : {2e-3, 3e-3, 4e-3}) {
+        wall.samples.push_back(
+            {.wheel_s = 0,
+             .x = 1e-3,
+             .y = 0.75,
+             .z = z,
+             .closest = {.s = 0.02, .y = 0.75, .z = z, .depth = 1e-5, .slope = {0, 1}, .inside = true},
+             .width = 0});
+    }
+    const WheelOnRail wheel(cylinder(), polygon({{-20, 0}, {0, 0}, {0, 20}, {10, 20}}), above);
+    const detail::ContactPlane plane = detail::plane_of(wheel.geometry(), wall, 0);
+    CHECK(plane.x == Approx(1e-3));
+    CHECK(plane.angle == Approx(pi / 2));
 }
 
 TEST_CASE("contact_search: two crowns carry half of the load each, and displace each other", "[profiles]") {
@@ -487,24 +514,46 @@ TEST_CASE("contact_search: a wheel that yaws touches with the flange and the gau
     }
 }
 
-TEST_CASE("contact_search: a tread that lies above the rail by more than a millimetre when the flange touches",
+TEST_CASE("contact_search: a tread that lies more than two millimetres above the rail when the flange touches",
           "[profiles]") {
-    // a side at 1:3 on one crown, a tread 1.3 mm above the other
+    // a side at 1:3 on one crown, a tread 2.3 mm above the other
     const Profile side_and_tread = piece(-0.05, 0.05, 2001, [](double y) { return y < 0 ? -3 * y : 0; });
     const Profile crowns = piece(-0.05, 0.05, 2001, [](double y) {
-        return y < 0 ? -3 * y + 5 * std::pow(y + 0.02, 2) : std::pow(y - 0.03, 2) * 7 / 9 + 1.3e-3;
+        return y < 0 ? -3 * y + 6 * std::pow(y + 0.02, 2) : std::pow(y - 0.03, 2) / 5 + 2.3e-3;
     });
     const WheelOnRail plain(side_and_tread, crowns, above),
         in_slices(side_and_tread, RailSurface::roller(crowns, 1e6), above);
     WheelOnRail::Workspace workspace;
-    const auto same = plain.solve_at_height({.height = 1.35e-3}, workspace, {}),
-               contact = in_slices.solve_at_height({.height = 1.35e-3}, workspace, {});
-    CAPTURE(name(same.status), name(contact.status));
+    const auto same = plain.solve_at_height({.height = 2.35e-3}, workspace, {}),
+               contact = in_slices.solve_at_height({.height = 2.35e-3}, workspace, {});
+    // along its normal the side lies less than a millimetre within the rail
+    CHECK(same.status == Status::ok);
+    CHECK(contact.status == Status::ok);
     REQUIRE(same.patches.size() == 2);
     REQUIRE(contact.patches.size() == 2);
     for (const std::size_t k : {0, 1}) {
-        CHECK(contact.patches[k].y == Approx(same.patches[k].y).margin(1e-4));
+        CHECK(contact.patches[k].y == Approx(same.patches[k].y).margin(2e-4));
         CHECK(contact.patches[k].load == Approx(same.patches[k].load).epsilon(1e-2));
+    }
+}
+
+TEST_CASE("contact_search: regions found in another order go on with their cells", "[profiles]") {
+    // a side at 1:3 that is deeper at first, and a tread that is deeper half a millimetre below
+    const Profile side_and_tread = piece(-0.05, 0.05, 2001, [](double y) { return y < 0 ? -3 * y : 0; });
+    const Profile crowns = piece(-0.05, 0.05, 2001, [](double y) {
+        return y < 0 ? -3 * y + 6 * std::pow(y + 0.02, 2) : std::pow(y - 0.03, 2) * 2.644 + 2e-5;
+    });
+    const WheelOnRail wheel(side_and_tread, RailSurface::roller(crowns, 1e6), above);
+    detail::RegionSolver solver;
+    REQUIRE(solver.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
+    solver.divide(4.9e-4);
+    for (const double height : {4.9e-4, 5.2e-4}) {
+        solver.refine(height, height > 5e-4 ? 1 : 0, false, true);
+        solver.settle(0, 1e-6, false);
+        const std::vector<RailPatch> patches = solver.patches(0);
+        REQUIRE(patches.size() == 2);
+        CHECK(patches[0].y == Approx(0.78).margin(1e-4));
+        CHECK(patches[1].y == Approx(0.73).margin(1e-4));
     }
 }
 
@@ -529,12 +578,13 @@ TEST_CASE("contact_search: contacts that part a run of depths do not overlap, an
 
 TEST_CASE("contact_search: parts of one run of depths displace each other with interaction off, as one region",
           "[profiles]") {
-    // a wheel that turns by 25 degrees over a rail that follows it but for a hump between two hollows, and a crown far
-    // beside them
+    // a wheel that turns by 25 degrees over a rail that follows it but for two hollows; a crown near them, which belongs
+    // to the same region, and one far beside them
     const auto wheel_z = [](double y) { return 0.466 * (0.004 * std::log(std::cosh(y / 0.004)) - y) / 2; };
     const auto rail_z = [&](double y) {
-        const double t = y / 0.008, hump = 60e-6 * std::pow(t * t - 1, 2), beside = std::pow(y - 0.04, 2) / 0.4;
-        return wheel_z(y) + std::min({hump, beside, 5e-3});
+        const double t = y / 0.008, humps = 36e-6 * std::pow(t * t - 1, 2),
+                     near = std::pow(y + 0.0175, 2) / 0.05 + 2e-5, far = std::pow(y - 0.04, 2) / 0.4;
+        return wheel_z(y) + std::min({humps, near, far, 5e-3});
     };
     const Profile wheel = piece(-0.05, 0.05, 1001, wheel_z), with_crown = piece(-0.05, 0.05, 4001, rail_z),
                   without = piece(-0.05, 0.03, 3201, rail_z);
@@ -542,7 +592,7 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     // all of it in one plane
     const double angle = std::atan(-0.466 / 2), dx = 4e-4, ds = 2e-4;
     const NormalContact::Cells grid{
-        .nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
+        .nx = 60, .ny = 200, .x_0 = -30 * dx + dx / 2, .y_0 = -120 * ds + ds / 2, .dx = dx, .dy = ds};
     const auto n_at = [&](const auto& z, double s) {
         double low = -0.03, high = 0.03;
         for (int k = 0; k < 50; ++k) {
@@ -560,6 +610,7 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     }
     NormalContact one((1 - above.poisson_ratio) / above.shear_modulus);
     const double expected = one.approach(grid, gap, 0).load;
+    std::vector<WheelOnRail::Contact> found;
     for (const RailSurface& rail :
          {RailSurface(with_crown), RailSurface(without),
           RailSurface(Sections({{-1, without}, {1, without}}, Sections::Interpolation::spline))}) {
@@ -567,11 +618,13 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
         const auto contact = WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
         const bool crown = rail.has_sections() ? false : rail.profile().length() > 0.09;
         CAPTURE(rail.has_sections(), crown, name(contact.status), contact.patches.size());
-        REQUIRE(contact.patches.size() == (crown ? 3 : 2));
+        REQUIRE(contact.patches.size() == (crown ? 4 : 3));
         double load = 0;
         for (const RailPatch& patch : contact.patches) load += patch.y < 0.75 + 0.02 ? patch.load : 0;
-        CHECK(load == Approx(expected).epsilon(0.02));
+        CHECK(load == Approx(expected).epsilon(0.01));
+        found.push_back(contact);
     }
+    for (const std::size_t k : {0, 1, 2}) CHECK(found[2].patches[k].y == Approx(found[1].patches[k].y).margin(1e-4));
 }
 
 TEST_CASE("contact_search: one contact round a gauge corner stays one where depths hardly fall between two maxima",
@@ -583,17 +636,74 @@ TEST_CASE("contact_search: one contact round a gauge corner stays one where dept
 
 TEST_CASE("contact_search: a contact that another one lifts is none", "[profiles]") {
     // two crowns, one of which lies 60 um lower
-    const Profile crowns =
-        piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
-    const WheelOnRail wheel(cylinder(), crowns, above);
-    detail::RegionSolver solver;
-    REQUIRE(solver.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
-    const double touching = solver.touch() + 9e-5, lifted = solver.touch() + 6.05e-5;
-    solver.divide(touching);
-    for (const int round : {0, 1, 2}) {
-        solver.refine(lifted, round, false, true);
-        solver.settle(0, 1e-6, false);
-        CHECK(solver.patches(0).size() == 1);
+    for (const double side : {-1, 1}) {
+        const Profile crowns = piece(-0.05, 0.05, 401, [side](double y) {
+            return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (side * y > 0 ? 6e-5 : 0);
+        });
+        const WheelOnRail wheel(cylinder(), crowns, above);
+        detail::RegionSolver solver;
+        REQUIRE(solver.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
+        const double touching = solver.touch() + 9e-5, lifted = solver.touch() + 6.05e-5;
+        solver.divide(touching);
+        for (const int round : {0, 1, 2}) {
+            solver.refine(lifted, round, false, true);
+            solver.settle(0, 1e-6, false);
+            CHECK(solver.patches(0).size() == 1);
+        }
+        // where there are more regions than touch, those that do sink with the wheel
+        solver.divide(lifted);
+        solver.refine(lifted, 0, false, true);
+        solver.refine(lifted + 1e-6, 1, false, true);
+        solver.settle(1e-6, 1e-6, false);
+        CHECK(solver.deepest() == Approx(6.15e-5).epsilon(1e-4));
+        REQUIRE(solver.patches(1e-6).size() == 1);
+        CHECK(solver.patches(1e-6)[0].approach == Approx(6.25e-5).epsilon(1e-4));
+        CHECK(solver.patches(1e-6)[0].half_length > 0.003);
+    }
+}
+
+TEST_CASE("contact_search: regions that appear or vanish have the cells of the finest, and whether these suffice",
+          "[profiles]") {
+    detail::ContactSettings settings = coarse_cells;
+    settings.cells_x = 6;
+    settings.halves_cells = true;
+    // two crowns with flat tops, one of which lies 60 um lower; of rough ones cells are given up early
+    for (const auto& [noise, first] : {std::pair{0.0, 5e-5}, {0.0, 7e-5}, {8e-6, 5e-5}}) {
+        std::mt19937 random(1);
+        const auto rough = [&, size = noise](double z) {
+            return z + size * (double(random()) / double(std::mt19937::max()) - 0.5);
+        };
+        const Profile tread = piece(-0.06, 0.06, 481, [&](double) { return rough(0); });
+        const Profile crowns = piece(-0.05, 0.05, noise > 0 ? 401 : 1001, [&](double y) {
+            return rough(20 * std::pow(std::max(std::abs(std::abs(y) - 0.03) - 0.004, 0.0), 2) + (y > 0 ? 6e-5 : 0));
+        });
+        const WheelOnRail wheel(tread, crowns, above);
+        detail::RegionSolver solver;
+        REQUIRE(solver.locate(wheel.geometry(), {}, settings) == Status::ok);
+        const double height = solver.touch() + first;
+        solver.divide(height);
+        for (int round = 0; round == 0 || solver.double_cells(); round = 1) {
+            solver.refine(height, round, false, true);
+            solver.settle(0, 1e-4, round > 0);
+        }
+        const auto finest = [&] {
+            std::pair<Eigen::Index, Eigen::Index> most;
+            for (const RailPatch& patch : solver.patches(0))
+                most = {std::max(most.first, patch.grid.nx), std::max(most.second, patch.grid.ny)};
+            return most;
+        };
+        const auto before = finest();
+        CHECK(before.first > 6);
+        CHECK(before.second > 60);
+        solver.refine(solver.touch() + 12e-5 - first, 1, true, true);
+        solver.settle(0, 1e-4, false);
+        CAPTURE(noise, first);
+        CHECK(finest() == before);
+        for (const RailPatch& patch : solver.patches(0)) CHECK((patch.status == Status::few_cells) == (noise > 0));
+        if (noise > 0) continue;
+        // pressures that do not settle on more cells need still more
+        solver.settle(0, 0, false);
+        CHECK(solver.patches(0).at(0).status == Status::few_cells);
     }
 }
 
@@ -644,6 +754,77 @@ TEST_CASE("contact_search: cells become smaller where halves of them would chang
     const WheelOnRail at_edge(cylinder(), edge, above);
     CHECK(at_edge.solve_for_load({}, 4e4, workspace).status == Status::few_cells);
     CHECK(has_numbers(at_edge.solve_for_load({}, 4e4, workspace, given).status));
+}
+
+TEST_CASE("contact_search: several lobes, and lines across the rail, have at least 60 cells along s", "[profiles]") {
+    const Profile crown = piece(-0.02, 0.02, 801, [](double y) { return y * y / 0.6; }),
+                  line = piece(-0.02, 0.02, 801, [](double y) { return y * y / 40; }),
+                  lobes = piece(-0.02, 0.02, 801,
+                                [](double y) { return 2e-5 * std::pow(y * y / 3.6e-5 - 1, 2) + 2e-3 * y; });
+    WheelOnRail::Workspace workspace;
+    for (const auto& [rail, load, cells] :
+         {std::tuple(&crown, 1e4, 20), {&line, 1e4, 60}, {&lobes, 3e4, 60}, {&lobes, 1e4, 20}}) {
+        const WheelOnRail wheel(cylinder(), *rail, above);
+        CHECK(wheel.solve_for_load({}, load, workspace, {.halves_cells = false}).patches.at(0).grid.ny == cells);
+    }
+}
+
+TEST_CASE("contact_search: what is too small for an outline and carries next to nothing is dropped", "[profiles]") {
+    // three lobes, two of which begin to touch
+    const Profile lobes =
+        piece(-0.03, 0.03, 6001, [](double y) { return 0.4 * y * y + 8e-6 * std::cos(2 * pi * y / 0.004); });
+    WheelOnRail::Workspace workspace;
+    const auto contact =
+        WheelOnRail(cylinder(), lobes, above).solve_at_height({.height = 9.58e-6}, workspace, {.halves_cells = false});
+    CHECK(contact.status == Status::ok);
+    REQUIRE(contact.patches.size() == 2);
+    CHECK(contact.dropped > 0);
+    CHECK(contact.dropped < 2e-3 * (contact.patches[0].load + contact.patches[1].load));
+}
+
+TEST_CASE("contact_search: cells become smaller along x for waves between their centres", "[profiles]") {
+    std::vector<Sections::Section> sections;
+    for (int k = -32; k <= 32; ++k) {
+        const double z = 3e-7 * std::cos(pi * k / 2 + 0.7);
+        sections.push_back({k * 3.75e-4, piece(-0.03, 0.03, 61, [z](double y) { return crown(y, 0.3) + z; })});
+    }
+    const WheelOnRail wheel(cylinder(), Sections(sections, Sections::Interpolation::through), above);
+    WheelOnRail::Workspace workspace;
+    const auto contact = wheel.solve_for_load({}, 3e3, workspace, {.cells_x = 10}),
+               expected = wheel.solve_for_load({}, 3e3, workspace, {.cells_x = 120, .halves_cells = false});
+    CHECK(contact.status == Status::ok);
+    CHECK(contact.patches.at(0).peak_pressure == Approx(expected.patches.at(0).peak_pressure).epsilon(0.05));
+}
+
+TEST_CASE("contact_search: the last steps to a load: a contact that outgrows its cells, an approach beside points",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const WheelsetPosition at{.lateral = 1.99281e-3, .roll = 1.57114e-3, .yaw = 2.44304e-3};
+    CHECK(s1002_on_uic60().solve_for_load(at, 11507.16, workspace).status == Status::ok);
+    const WheelOnRail skew(cylinder(), piece(-0.02, 0.02, 1601, [](double y) { return y * y / 0.6 + 5 * y * y * y; }),
+                           above);
+    for (const double load : {1e4, 3e4}) {
+        const auto contact = skew.solve_for_load({}, load, workspace);
+        CHECK(contact.patches.at(0).approach == Approx(contact.height).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("contact_search: loads between those before and after contacts get a plane each", "[profiles]") {
+    // both sides of a groove in a bowl, whose normals part as the contacts grow
+    const auto bowl = [](double y) { return -26.5 * y * y; };
+    const Profile wheel = piece(-0.012, 0.012, 2401, bowl),
+                  rail = piece(-0.012, 0.012, 2401, [&](double y) {
+                      const double edge = std::abs(y) - 1.5e-3;
+                      return bowl(y) + (edge > 0 ? 5e-3 * edge : std::min(-0.6 * edge, 3e-4));
+                  });
+    for (const double load : {7012.76, 27137.2, 31069.3}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact = WheelOnRail(wheel, rail, above)
+                                 .solve_for_load({}, load, workspace, {.interaction = false, .halves_cells = false});
+        REQUIRE(has_numbers(contact.status));
+        REQUIRE(contact.patches.size() == 2);
+        CHECK(contact.patches[0].vertical_load() + contact.patches[1].vertical_load() == Approx(load).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are given up early, of one of both not",
@@ -807,17 +988,80 @@ TEST_CASE("contact_search: patches are chains of rows that touch, at corners, to
     CHECK((found[0] + found[1] + found[2] + found[3] - p).abs().maxCoeff() == 0);
 }
 
-TEST_CASE("contact_search: a deep groove parts contacts 3 mm apart", "[profiles]") {
+TEST_CASE("contact_search: a deep groove of the rail or of the wheel parts contacts 3 mm apart", "[profiles]") {
     // two crowns of 10 mm radius
     std::vector<std::array<double, 2>> points;
     for (double y = -20; y < -0.45; y += 0.1) points.push_back({y, std::pow(y + 1.5, 2) / 20});
     for (const auto& [y, z] : {std::pair{-0.4, 4.0}, {-0.2, 5.0}}) points.push_back({y, z});
     for (std::size_t k = points.size(); k-- > 0;) points.push_back({-points[k][0], points[k][1]});
+    const Profile grooved = polygon(points);
+    for (auto& [y, z] : points) z = -z;
+    for (const WheelOnRail& wheel :
+         {WheelOnRail(cylinder(), grooved, above), WheelOnRail(polygon(points), cylinder(), above)}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact = wheel.solve_for_load({}, 1e3, workspace);
+        REQUIRE(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 2);
+        for (const RailPatch& patch : contact.patches) {
+            CHECK(patch.load == Approx(500).epsilon(1e-3));
+            CHECK(std::abs(patch.y - 0.75) == Approx(1.5e-3).epsilon(1e-3));
+        }
+    }
+}
+
+TEST_CASE("contact_search: both sides of a slit narrower than the distance of samples touch", "[profiles]") {
+    std::vector<std::array<double, 2>> points;
+    for (double y = -20; y < -0.02; y += y < -1 ? 0.25 : 0.02) {
+        const double edge = std::max(0.0, 1 - (-0.02 - y) / 0.5);
+        points.push_back({y, y * y / 600 + 0.01 * edge * edge});
+    }
+    for (const auto& [y, z] : {std::pair{-0.019, 5.0}, {-0.017, 20.0}}) points.push_back({y, z});
+    for (std::size_t k = points.size(); k-- > 0;) points.push_back({-points[k][0], points[k][1]});
     WheelOnRail::Workspace workspace;
-    const auto contact = WheelOnRail(cylinder(), polygon(points), above).solve_for_load({}, 1e3, workspace);
-    REQUIRE(contact.status == Status::ok);
+    const auto contact =
+        WheelOnRail(cylinder(), polygon(points), above).solve_for_load({.lateral = 4e-5}, 3e3, workspace);
+    CHECK(contact.status == Status::ok);
     REQUIRE(contact.patches.size() == 2);
-    for (const RailPatch& patch : contact.patches) CHECK(patch.load == Approx(500).epsilon(1e-3));
+    for (const RailPatch& patch : contact.patches) CHECK(patch.load == Approx(1500).epsilon(1e-3));
+}
+
+TEST_CASE("contact_search: pressures beside a wall steeper than 84 degrees are not known", "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    for (const auto& [degrees, defined] : {std::pair{80, true}, {87, false}}) {
+        std::vector<std::array<double, 2>> points;
+        for (double y = -20; y <= 3; y += 0.25) points.push_back({y, y * y / 200});
+        points.push_back({3 + 20 / std::tan(degrees * pi / 180), 20.045});
+        for (const auto& [y, z] : {std::pair{19.0, 23.5}, {23.0, 24.0}}) points.push_back({y, z});
+        const auto contact =
+            WheelOnRail(cylinder(), polygon(points), above).solve_for_load({}, 1e5, workspace, {.halves_cells = false});
+        CAPTURE(degrees, name(contact.status));
+        CHECK(has_numbers(contact.status) == defined);
+        CHECK((contact.status == Status::undefined_section) != defined);
+    }
+}
+
+TEST_CASE("contact_search: a wheel that yaws so much that its lowest points lie where sections are not known",
+          "[profiles]") {
+    const TrackDimensions small{.radius = 0.4, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+    const Profile arc = piece(-0.06, 0.06, 401, [](double y) { return crown(y, 0.3); }),
+                  steeper = piece(-0.02, 0.15, 401, [](double y) { return 0.5 * y + 10 * y * y; });
+    const WheelOnRail wheel(steeper, arc, small);
+    const WheelsetPosition at{.lateral = -0.04, .yaw = 0.2};
+    WheelOnRail::Workspace workspace;
+    CHECK(wheel.solve_for_load(at, 2e3, workspace).status == Status::undefined_section);
+    CHECK(rigid_contact(wheel, at).status == Status::undefined_section);
+}
+
+TEST_CASE("contact_search: at the end of a rail a contact's plane lies on the rail, of sections, too", "[profiles]") {
+    const Profile ended = piece(-0.03, 5e-4, 401, [](double y) { return y * y / 0.6; });
+    WheelOnRail::Workspace workspace;
+    double y = 0;
+    for (const RailSurface& rail : {RailSurface(ended), RailSurface::roller(ended, 1e6)}) {
+        const auto contact = WheelOnRail(cylinder(), rail, above).solve_at_height({.height = 5e-5}, workspace, {});
+        CHECK(contact.status == Status::end_of_profile);
+        if (y > 0) CHECK(contact.patches.at(0).y == Approx(y).margin(2e-5));
+        y = contact.patches.at(0).y;
+    }
 }
 
 TEST_CASE("contact_search: what is not finite or too deep has its status", "[profiles]") {
