@@ -1042,7 +1042,7 @@ TEST_CASE("contact_search: pressures beside a wall steeper than 84 degrees are n
 
 TEST_CASE("contact_search: a wheel that yaws so much that its lowest points lie where sections are not known",
           "[profiles]") {
-    const TrackDimensions small{.radius = 0.4, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+    const WheelOnRail::Dimensions small{.radius = 0.4, .rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0}};
     const Profile arc = piece(-0.06, 0.06, 401, [](double y) { return crown(y, 0.3); }),
                   steeper = piece(-0.02, 0.15, 401, [](double y) { return 0.5 * y + 10 * y * y; });
     const WheelOnRail wheel(steeper, arc, small);
