@@ -100,7 +100,7 @@ void add_series(Plot& plot, const Records& records, const Selection& selection);
 /// it is empty.
 std::vector<Series> map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z);
 
-/// The edge of an outline, rollbem::Outline, as a closed line.
+/// The edge of an outline, rollbem::PatchContact::Outline, as a closed line.
 template <class Outline>
 std::vector<std::pair<double, double>> edge_of(const Outline& outline) {
     std::vector<std::pair<double, double>> points;

@@ -578,8 +578,8 @@ TEST_CASE("contact_search: contacts that part a run of depths do not overlap, an
 
 TEST_CASE("contact_search: parts of one run of depths displace each other with interaction off, as one region",
           "[profiles]") {
-    // a wheel that turns by 25 degrees over a rail that follows it but for two hollows; a crown near them, which belongs
-    // to the same region, and one far beside them
+    // a wheel that turns by 25 degrees over a rail that follows it but for two hollows; a crown near them, which
+    // belongs to the same region, and one far beside them
     const auto wheel_z = [](double y) { return 0.466 * (0.004 * std::log(std::cosh(y / 0.004)) - y) / 2; };
     const auto rail_z = [&](double y) {
         const double t = y / 0.008, humps = 36e-6 * std::pow(t * t - 1, 2),

@@ -11,9 +11,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "../closed_form/detail/plane_lambda.hpp"
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "detail/parameters.hpp"
 

@@ -2,10 +2,7 @@
 // elastic half-spaces.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <concepts>
-#include <numbers>
 #include <type_traits>
 
 #include "../detail/require.hpp"

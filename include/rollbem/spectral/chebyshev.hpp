@@ -5,22 +5,17 @@
 
 #include "../detail/decl.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "../adhesion/state_space.hpp"
 #include "../closed_form/carter.hpp"
-#include "../detail/require.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
-#include "detail/quotient.hpp"
 
 namespace rollbem {
 

@@ -3,18 +3,14 @@
 // a = G = V = 1.
 #pragma once
 
-#include <cmath>
 #include <complex>
 #include <concepts>
-#include <limits>
 #include <type_traits>
 
 #include <Eigen/Core>
 
 #include "../closed_form/carter.hpp"
 #include "../closed_form/detail/estimated_c11.hpp"
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 #include "detail/quotient.hpp"

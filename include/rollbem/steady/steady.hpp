@@ -2,11 +2,8 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
-#include <utility>
-
 #include "../adhesion/response.hpp"
 #include "../assembly/rolling_system.hpp"
-#include "../detail/array_functions.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"

@@ -94,9 +94,8 @@ public:
         double largest_a_over_b() const { return largest_; }
         int levels() const { return levels_; }
         Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
-        Eigen::Index nodes() const {
-            return static_cast<Eigen::Index>(nodes_.size());
-        }  ///< number of nodes of an ellipse
+        /// Number of nodes of an ellipse.
+        Eigen::Index nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }
         const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
         /// dX_1/d xi, dX_2/d eta, dX_2/d(phi c), dX_3/d(phi c), over G a b/(mu N), in a column for each ellipse.
         const Eigen::Array4Xd& scales() const { return scales_; }

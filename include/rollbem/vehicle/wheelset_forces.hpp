@@ -111,7 +111,8 @@ struct PatchForce {
     std::size_t first_element = 0;
     Eigen::ArrayXd slip{}, work{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
-    /// that heat flows along it (Heating::passes_fast), and above 20 % of creepage, where one body passes slower.
+    /// that heat flows along it (RollingFriction::Heating::passes_fast), and above 20 % of creepage, where one body
+    /// passes slower.
     double peak_temperature = std::numeric_limits<double>::quiet_NaN();
     /// Status of friction. With friction that depends on the temperature also not_converged: friction and temperature
     /// did not come to agree, or the temperature is not known.

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
@@ -271,7 +272,8 @@ template <int directions>
 void set_bounds(const StepView<directions>& view, const Stage<directions>& now) {
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
-    const bool is_whole = load.pressure_rate == nullptr || now.place.is_last();
+    const bool is_whole =
+        load.pressure_rate == nullptr || now.place.is_last() || same_bits(from.normal_pressure, load.pressure);
     if (is_whole && scratch.bound_per_pressure == contact.bound_per_pressure() && scratch.has(load.pressure)) return;
     ++scratch.problem.bounds;
     scratch.bound_per_pressure = is_whole ? contact.bound_per_pressure() : 0;
@@ -301,7 +303,8 @@ void set_problem(const StepView<directions>& view, const Stage<directions>& now)
             const double share = now.place.progress;
             c += now.factor * ((1 - share) * step.motion.start_rows() + share * step.motion.end_rows());
         }
-        // without creepage tractions decay for ever, but the rounding errors that judge them underflow first
+        // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
+        // first
         scratch.problem.measure(k);
         double& imposed = scratch.problem.imposed[k];
         if (!(imposed < negligible<double> && all_finite(c))) continue;

@@ -86,6 +86,7 @@ public:
             solution.status = is_finite(search.change) ? Status::no_solution : Status::not_finite;
             solution.has_tangent = false;
         }
+        solution.at_once = false;  // bounds change after start()
         solution.rounds = search.rounds;
         solution.path_points = search.path_points;
         solution.residual = is_finite(search.change) ? (std::max)(solution.residual, search.change) : search.change;
@@ -223,7 +224,8 @@ private:
     // coefficient of the element ahead. The slip of sticking elements remains zero.
     void differentiate(const FrictionEvolution& evolution, const Solution& solution) {
         const bool steady = evolution.before == nullptr;
-        // the width of the differences suits elements that hardly slip, and no least velocity far above any slip
+        // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
+        // slip
         const double fastest = rounded(velocity_.maxCoeff());
         const double unit = (std::min)(evolution.memory.least_velocity, fastest) + fastest / 1000;
         const double share = std::cbrt(std::numeric_limits<double>::epsilon());

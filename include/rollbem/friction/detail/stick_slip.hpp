@@ -46,7 +46,7 @@ struct StageProblem {
     PerPass<directions> constant;                           ///< c of the unrotated and of the rotated pass
     std::array<double, std::size_t(directions)> imposed{};  ///< max |c_i|, by measure()
     VectorX<double> bound;                                  ///< b, finite and not negative
-    std::uint64_t bounds = 1;                               ///< to be raised when b changes
+    std::uint64_t bounds = 1;                               ///< to be raised by whoever changes b
     bool two_histories = false;                             ///< else both passes have the c of the first
 };
 
@@ -177,7 +177,7 @@ public:
         solution.rounds = solution.path_points = 0;
         solution.last = 0;
         solution.rotation.stop();
-        const bool repeats = solution.repeats && problem.bounds == solution.bounds;
+        const bool repeats = std::exchange(solution.repeats, false);
         solution.at_once = false;
         if (!repeats) adapt(problem.bound, solution.pass[0]);
         solution.bounds = problem.bounds;
@@ -647,7 +647,8 @@ private:
         solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
                                    : std::numeric_limits<double>::quiet_NaN();
     }
-    // check() of a solution found at once from zones and bounds of another: only what does not stick can differ.
+    // check() of a solution that is found at once from the zones and bounds of another one so found: only what does not
+    // stick can differ, and the derivatives by bounds do not.
     void check_again(const ProblemView<directions>& problem, Solution& solution) {
         Pass<directions>& pass = solution.pass[0];
         const Eliminated& at = eliminated_[0];

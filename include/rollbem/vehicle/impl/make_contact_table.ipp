@@ -203,7 +203,7 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
             const auto node = [&](std::size_t k) { return grid.node(l, k, std::size_t(i)); };
             if (!(points(share, node(0)) > 0)) continue;
             for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
-                if (row != arm_x && correction_by_yaw > row) continue;
+                if (row != arm_x && correction_by_yaw > row) continue;  // the other way round is a template to clang
                 std::vector<std::size_t> with;
                 for (std::size_t k = 1; k < yaws && with.size() < 2; ++k) {
                     if (points(share, node(k)) > 0) with.push_back(k);
