@@ -21,10 +21,18 @@
 
 namespace rollbem {
 
-namespace detail {
+/// Result of extrapolate().
 template <class Value>
-struct Extrapolation;
-}  // namespace detail
+struct Extrapolation {
+    using Real = decltype(std::abs(Value()));
+
+    Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
+    /// |value minus the extrapolation from the two coarser values|: an upper estimate of the absolute error in value.
+    Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
+    /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
+    Real observed_order = std::numeric_limits<Real>::quiet_NaN();
+    Status status = Status::not_finite;  ///< order_differs: the finest value is returned unchanged
+};
 
 /// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
 /// elements. Whether p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
@@ -39,13 +47,11 @@ Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<de
 /// order must lie within `band` of it. Otherwise the status is order_differs, as on meshes that are too coarse, for
 /// schemes whose error changes sign (the uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve.
 /// Values that agree to rounding count as converged. `solve` takes a number of elements and returns a real or complex
-/// number. The result has `value`, extrapolated from the two finer values (the finest value unless `status` is ok),
-/// `error_estimate`, |value minus the extrapolation from the two coarser values|, an upper estimate of the absolute
-/// error, and `observed_order`, log2 |(coarse - middle)/(middle - fine)|, NaN if the values agree to rounding. Throws
-/// std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on exceptions of solve.
+/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on
+/// exceptions of solve.
 template <class Solve>
 auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
-    -> detail::Extrapolation<std::decay_t<decltype(solve(n))>>;
+    -> Extrapolation<std::decay_t<decltype(solve(n))>>;
 
 /// The purpose of a scheme, and the relative error that its tolerance limits: Purpose::steady, Purpose::frequency,
 /// Purpose::time_loop, Purpose::friction. Full adhesion and friction have different types because different kinds of

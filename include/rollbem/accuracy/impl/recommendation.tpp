@@ -14,35 +14,18 @@
 #include "../../spectral/chebyshev.hpp"
 #include "../../status.hpp"
 
-namespace rollbem::detail {
-
-/// Result of extrapolate().
-template <class Value>
-struct Extrapolation {
-    using Real = decltype(std::abs(Value()));
-
-    Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
-    /// |value minus the extrapolation from the two coarser values|: an upper estimate of the absolute error in value.
-    Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
-    /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
-    Real observed_order = std::numeric_limits<Real>::quiet_NaN();
-    Status status = Status::not_finite;  ///< order_differs: the finest value is returned unchanged
-};
-
-}  // namespace rollbem::detail
-
 namespace rollbem {
 
 template <class Solve>
 auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band)
-    -> detail::Extrapolation<std::decay_t<decltype(solve(n))>> {
+    -> Extrapolation<std::decay_t<decltype(solve(n))>> {
     using Value = std::decay_t<decltype(solve(n))>;
-    using Real = typename detail::Extrapolation<Value>::Real;
+    using Real = typename Extrapolation<Value>::Real;
     detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
     detail::require_positive("extrapolate", "order", order);
     detail::require_positive("extrapolate", "band", band);
     const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
-    detail::Extrapolation<Value> result;
+    Extrapolation<Value> result;
     result.value = fine;
     const Real before = std::abs(coarse - middle), last = std::abs(middle - fine);
     if (!detail::is_finite(before) || !detail::is_finite(last) || !detail::is_finite(fine)) return result;

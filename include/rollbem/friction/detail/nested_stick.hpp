@@ -72,7 +72,7 @@ public:
 
     void find_base(const M&, const Vectors<1>* c, Base& base) const { base.constant = c; }
 
-    /// Finds the tractions of S and the slip of all elements by products with M: the slip of S is their error.
+    /// Finds the tractions of S and the slip of all elements by products with M: the slip of S is the error of p.
     void complete(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
         clear_stuck(p);
         is_loaded_ = !p.isZero(0);

@@ -4,6 +4,7 @@
 #include "../../detail/language.hpp"
 
 #include <array>
+#include <cstddef>
 
 #include "../../types.hpp"
 #include "../creepage.hpp"
@@ -34,28 +35,22 @@ private:
     double x_ = 1, y_ = 1;
 };
 
-inline WheelsetPosition mirrored(WheelsetPosition position, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    const auto [about_x, about_y, about_z] = mirror.of_turn();
-    position.along *= x;
-    position.lateral *= y;
-    position.height *= z;
-    position.roll *= about_x;
-    position.pitch *= about_y;
-    position.yaw *= about_z;
-    return position;
+/// Reflects a place or velocity, by its components, and a turn or its rates.
+inline void reflect(const Mirror& mirror, const std::array<double*, 3>& vector, const std::array<double*, 3>& turn) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        *vector[k] *= mirror.of_vector()[k];
+        *turn[k] *= mirror.of_turn()[k];
+    }
 }
 
-inline WheelsetSpeeds mirrored(WheelsetSpeeds speeds, const Mirror& mirror) {
-    const auto [x, y, z] = mirror.of_vector();
-    const auto [about_x, about_y, about_z] = mirror.of_turn();
-    speeds.forward *= x;
-    speeds.lateral *= y;
-    speeds.vertical *= z;
-    speeds.roll_rate *= about_x;
-    speeds.pitch_rate *= about_y;
-    speeds.yaw_rate *= about_z;
-    return speeds;
+inline WheelsetPosition mirrored(WheelsetPosition of, const Mirror& mirror) {
+    reflect(mirror, {&of.along, &of.lateral, &of.height}, {&of.roll, &of.pitch, &of.yaw});
+    return of;
+}
+
+inline WheelsetSpeeds mirrored(WheelsetSpeeds of, const Mirror& mirror) {
+    reflect(mirror, {&of.forward, &of.lateral, &of.vertical}, {&of.roll_rate, &of.pitch_rate, &of.yaw_rate});
+    return of;
 }
 
 inline Creepage mirrored(const Creepage& creepage, const Mirror& mirror) {
