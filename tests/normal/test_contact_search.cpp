@@ -532,7 +532,8 @@ TEST_CASE("contact_search: a tread that lies more than two millimetres above the
     REQUIRE(same.patches.size() == 2);
     REQUIRE(contact.patches.size() == 2);
     for (const std::size_t k : {0, 1}) {
-        CHECK(contact.patches[k].y == Approx(same.patches[k].y).margin(1e-4));
+        // both are found from samples, on slices and on the silhouette: to a thirtieth of a cell
+        CHECK(contact.patches[k].y == Approx(same.patches[k].y).margin(same.patches[k].grid.dy / 30));
         CHECK(contact.patches[k].load == Approx(same.patches[k].load).epsilon(1e-2));
     }
 }
