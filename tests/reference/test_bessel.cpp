@@ -23,6 +23,8 @@ using reference::detail::scaled_bessel;
 using LongComplex = std::complex<long double>;
 using Complex = std::complex<double>;
 
+[[maybe_unused]] auto* const off = gsl_set_error_handler_off();  // underflow is no error
+
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
 TEST_CASE("Complex I_n agree with their power series", "[bessel]") {
@@ -62,7 +64,6 @@ TEST_CASE("Hankel's expansions agree with the trapezoidal rule beyond their radi
 }
 
 TEST_CASE("The c11 by J0 and J1 equals that at imaginary s", "[bessel]") {
-    gsl_set_error_handler_off();
     double largest = 0;
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double aspect : {0.3, 10.0, 1e6}) {
@@ -80,7 +81,6 @@ TEST_CASE("The c11 by J0 and J1 equals that at imaginary s", "[bessel]") {
 }
 
 TEST_CASE("The exact c11 has its limits and symmetries", "[bessel]") {
-    gsl_set_error_handler_off();
     const double nu = 0.25;
     const double aspect = 1000;
     CHECK(reference::plane_c11(0, nu, aspect) == Complex(steady_c11(nu)));
@@ -98,7 +98,6 @@ TEST_CASE("The exact c11 has its limits and symmetries", "[bessel]") {
 }
 
 TEST_CASE("The exact traction gives c11 and satisfies zero slip", "[bessel]") {
-    gsl_set_error_handler_off();
     const double nu = 0.28;
     const double aspect = 50;
     for (const Complex s : {Complex(0, 0), Complex(0, 1), Complex(0, 12), Complex(-2, 5)}) {
@@ -142,15 +141,6 @@ TEST_CASE("The exact traction gives c11 and satisfies zero slip", "[bessel]") {
     }
 }
 
-TEST_CASE("The first exact eigenvalues have their known values", "[bessel]") {
-    gsl_set_error_handler_off();
-    const std::vector<Complex> values = reference::eigenvalues(3, 0.25, 100);
-    REQUIRE(values.size() == 3);
-    CHECK(std::abs(values[0] - Complex(-0.17302005735, 0)) < 1e-11);
-    CHECK(std::abs(values[1] - Complex(-1.46935559502, 2.98100869072)) < 1e-11);
-    CHECK(std::abs(values[2] - Complex(-1.80867424789, 6.17549758306)) < 1e-11);
-}
-
 /// Number of zeros of D(s) = I0 + s Lambda (I0 + I1) with |s| < radius by the argument principle: the change of phase
 /// summed over small steps; the positive scaling of the Bessel functions does not affect it.
 int count_zeros(double radius, double lambda) {
@@ -170,7 +160,6 @@ int count_zeros(double radius, double lambda) {
 }
 
 TEST_CASE("No exact eigenvalue is missed or found twice", "[bessel]") {
-    gsl_set_error_handler_off();
     // a second real eigenvalue appears near Lambda = 1.6 and tends to minus infinity as Lambda -> 2
     for (const double lambda : {0.05, 1.5, 1.65, 1.8, 1.9, 1.98, 1.995, 2.0, 2.01, 2.5, 6.3, 700.0}) {
         const double aspect = std::exp(lambda) / 4;  // nu = 0
@@ -196,8 +185,7 @@ TEST_CASE("No exact eigenvalue is missed or found twice", "[bessel]") {
 }
 
 TEST_CASE("The exact solutions reject invalid input", "[bessel]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_AS(reference::plane_c11({0, nan}, 0.25, 100), std::invalid_argument);
     CHECK_THROWS_AS(reference::plane_c11({0, 1}, 0.7, 100), std::invalid_argument);
     CHECK_THROWS_AS(reference::plane_c11({0, 1}, 0.25, infinity), std::invalid_argument);
