@@ -12,7 +12,6 @@
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"
-#include "support/exact_traction.hpp"
 
 namespace bessel_tests {
 namespace {
@@ -97,50 +96,6 @@ TEST_CASE("The exact c11 has its limits and symmetries", "[bessel]") {
     CHECK(relative_error(slope, steady_c11(nu) * (0.5 - plane_lambda(nu, aspect))) < 1e-7);
 }
 
-TEST_CASE("The exact traction gives c11 and satisfies zero slip", "[bessel]") {
-    const double nu = 0.28;
-    const double aspect = 50;
-    for (const Complex s : {Complex(0, 0), Complex(0, 1), Complex(0, 12), Complex(-2, 5)}) {
-        const reference::ExactTraction traction(s, nu, aspect);
-        // integrals of p f with x = -cos(theta): p sin(theta) is an even trigonometric polynomial
-        const int count = 200;
-        Complex force = 0;
-        for (int k = 0; k < count; ++k) {
-            const double theta = std::numbers::pi * (k + 0.5) / count;
-            force += traction(-std::cos(theta)) * std::sin(theta) * std::numbers::pi / static_cast<double>(count);
-        }
-        CAPTURE(s);
-        CHECK(relative_error(-force, traction.c11()) < 1e-12);
-        CHECK(traction(1) == Complex(0));
-        if (s == Complex(0)) {
-            for (const double x : {-0.999, 0.2, 1 - 1e-9}) {
-                CHECK(relative_error(traction(x), carter_traction(x, nu)) < 1e-15);
-            }
-        }
-        // u' - s u = 1, with u by quadrature of the plane kernel, Eq. (20): the trapezoidal rule, with the logarithm as
-        // the series ln|x - y| = -ln 2 - 2 sum T_n(x) T_n(y)/n, truncated where p has no components
-        const auto displacement = [&](double x) {
-            Complex u = 0;
-            for (int k = 0; k < count; ++k) {
-                const double theta = std::numbers::pi * (k + 0.5) / count;
-                double kernel = (1 - nu) * (2 * std::log(2 * aspect) + 2 * std::numbers::ln2) + 2 * nu;
-                for (int n = 1; n < count / 2; ++n) {
-                    kernel += 4 * (1 - nu) * std::cos(n * std::acos(x)) * std::cos(n * (std::numbers::pi - theta)) / n;
-                }
-                u += traction(-std::cos(theta)) * std::sin(theta) * kernel / static_cast<double>(count);
-            }
-            return u;
-        };
-        const double h = 1e-3;
-        for (const double x : {-0.7, 0.4}) {
-            const Complex slope = (8.0 * (displacement(x + h) - displacement(x - h)) -
-                                   (displacement(x + 2 * h) - displacement(x - 2 * h))) /
-                                  (12 * h);
-            CHECK(std::abs(slope - s * displacement(x) - 1.0) < 1e-8);
-        }
-    }
-}
-
 /// Number of zeros of D(s) = I0 + s Lambda (I0 + I1) with |s| < radius by the argument principle: the change of phase
 /// summed over small steps; the positive scaling of the Bessel functions does not affect it.
 int count_zeros(double radius, double lambda) {
@@ -192,7 +147,6 @@ TEST_CASE("The exact solutions reject invalid input", "[bessel]") {
     CHECK_THROWS_WITH(reference::plane_c11(1, 0.25, 0.1), Catch::Matchers::ContainsSubstring("Lambda"));
     CHECK_THROWS_AS(reference::plane_c11({0, infinity}, 0.25, 100), std::invalid_argument);
     CHECK_THROWS_AS(reference::eigenvalues(0, 0.25, 100), std::invalid_argument);
-    CHECK_THROWS_AS(reference::ExactTraction({0, 1}, 0.25, 100)(1.5), std::invalid_argument);
 }
 
 }  // namespace
