@@ -80,6 +80,16 @@ TEST_CASE("Hertz's round contact yields where textbooks say", "[subsurface]") {
     CHECK(subsurface_stress(sphere(80), 0.3, {1e-6, 1e-6, 1e-3})(0, 0) == Approx(-0.8).margin(5e-3));
 }
 
+TEST_CASE("Both measures of yield have their largest values at depths of their own", "[subsurface]") {
+    const std::vector<Yield::LoadedRectangle> band{{-1, 1, -4, 4, 0, 0, 1}};
+    const auto at = [&](double z) { return Yield::of(subsurface_stress(band, 0.3, {0.3, 0, z})); };
+    const Yield::Peak peak = subsurface_peak(band, 0.3, {0.3, 0}, 3);
+    CHECK(at(peak.tresca_depth).tresca == Approx(peak.tresca).epsilon(1e-9));
+    CHECK(at(peak.von_mises_depth).von_mises == Approx(peak.von_mises).epsilon(1e-9));
+    CHECK(peak.tresca_depth > 1.03 * peak.von_mises_depth);
+    CHECK(Yield::of(Vector3d(1, 2, 4).asDiagonal()).tresca == Approx(1.5));
+}
+
 TEST_CASE("Below a loaded square stresses are CONTACT's", "[subsurface]") {
     // its example subsurf, case 2: depth, von Mises, sigma_xx, sigma_xz, sigma_yy, sigma_zz
     const std::vector<Yield::LoadedRectangle> square{{-0.4999, 0.5001, -0.4998, 0.5002, 0.999, 0, 1}};
