@@ -228,7 +228,19 @@ TEST_CASE("patch_system: mirrored strips are computed once, and moving the patch
     }
 }
 
-TEST_CASE("patch_system: no coupling at nu = 0") {
+TEST_CASE("patch_system: size scales G and leaves G' alone; no coupling at nu = 0") {
+    const auto patch = [](double unit) {
+        const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -1, 1);
+        const ArrayX<double> edge = (ArrayX<double>(3) << 0.2, 1, 0.5).finished();
+        return rolling_system(
+            outline_mesh<double>(PatchContact::Outline(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
+            NodeDifference{}, HalfSpace<double>(0.25));
+    };
+    const auto large = patch(0.5), small = patch(1);
+    CHECK(largest(large.G(0, 0) - 2 * small.G(0, 0)) < 1e-14);
+    CHECK(largest(large.G(0, 1) - 2 * small.G(0, 1)) < 1e-14);
+    CHECK(largest(large.G_prime(1, 1) - small.G_prime(1, 1)) < 1e-12);
+
     const auto uncoupled =
         rolling_system(ellipse_mesh<double>(1, cosine_mesh(4), cosine_mesh(4)), chebyshev, HalfSpace<double>(0));
     CHECK_FALSE(uncoupled.coupled());
