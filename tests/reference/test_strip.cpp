@@ -27,13 +27,20 @@ TEST_CASE("A wide strip agrees with the plane, steady and at any frequency", "[s
     }
 }
 
-TEST_CASE("Narrow strips converge", "[strip]") {
+TEST_CASE("The effect of width is proportional to (a/b)^2, and narrow strips converge", "[strip]") {
+    const auto excess = [](double b) { return strip_c11(0, 0.28, b).c11.real() / rollbem::steady_c11(0.28) - 1; };
+    CHECK(std::abs(excess(100) / excess(200) - 4) < 0.01);
+    CHECK(std::abs(excess(400) / excess(800) - 4) < 0.001);
+    double wider = std::numeric_limits<double>::infinity();
     for (const double b : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0}) {
         for (const Complex s : {Complex(0), Complex(0, 5)}) {
             CAPTURE(b, s);
             CHECK(strip_c11(s, 0.28, b).error_estimate < 1e-11);
             CHECK(strip_c11(s, 0.28, b).status == rollbem::Status::ok);
         }
+        const double c11 = strip_c11(0, 0.28, b).c11.real();
+        CHECK(c11 < wider);  // the wider, the less stiff
+        wider = c11;
     }
 }
 
