@@ -11,7 +11,7 @@ namespace {
 
 using rollbem::detail::gauss_legendre;
 
-TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no further", "[quadrature]", SCALARS) {
+TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1", "[quadrature]", SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index count : {1, 2, 3, 4, 5, 6, 7, 9}) {
@@ -32,18 +32,6 @@ TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no 
             CAPTURE(N, degree, error(degree));
             CHECK(error(degree) < 30 * static_cast<double>(eps));
         }
-        if (N > 7) continue;
-        // the error at degree 2N is (N!)^4 2^(2N+1) / ((2N)!^2 (2N+1)) exactly
-        Scalar defect = 2;
-        for (int k = 1; k <= N; ++k)
-            defect *= Scalar(4 * k * k) * Scalar(k * k) /
-                      (Scalar(2 * k) * Scalar(2 * k - 1) * Scalar(2 * k) * Scalar(2 * k - 1));
-        defect /= Scalar(2 * N + 1);
-        const Scalar exact =
-            (std::pow(Scalar(1.5), Scalar(2 * N + 1)) + std::pow(Scalar(0.5), Scalar(2 * N + 1))) / Scalar(2 * N + 1);
-        CAPTURE(N, error(2 * N), static_cast<double>(defect / exact));
-        CHECK(std::abs(error(2 * N) - static_cast<double>(defect / exact)) < 30 * static_cast<double>(eps));
-        CHECK(error(2 * N) > 50 * static_cast<double>(eps));
     }
 }
 

@@ -185,27 +185,19 @@ TEST_CASE(
         for (const Eigen::Index k : {0, 1, 3}) {
             for (const Eigen::Index r : {0, 2}) {
                 const double scale = mesh.half_lengths()[j], from = mesh.half_lengths()[k];
-                const auto u = [&](double x) {
-                    return expected(
-                        [&](double y) {
-                            return kernel.corner(scale * x - from * edges[2], y).xy -
-                                   kernel.corner(scale * x - from * edges[3], y).xy;
-                        },
-                        j, k);
+                const auto by = [&](auto corner, double x) {
+                    const auto at = [&, x](double y) {
+                        return (kernel.*corner)(scale * x - from * edges[2], y).xy -
+                               (kernel.*corner)(scale * x - from * edges[3], y).xy;
+                    };
+                    return expected(at, j, k);
                 };
-                const auto u_y = [&](double x) {
-                    return expected(
-                        [&](double y) {
-                            return kernel.corner_lateral_slope(scale * x - from * edges[2], y).xy -
-                                   kernel.corner_lateral_slope(scale * x - from * edges[3], y).xy;
-                        },
-                        j, k);
-                };
+                const auto u = [&](double at) { return by(&HalfSpace<double>::corner, at); };
                 const double half = slope.lengths[r] / 2, x = slope.points[r];
                 const Eigen::Index row = j * 5 + r, column = k * 5 + 2;
                 CHECK_THAT(G(row, column), WithinAbs(u(places.points[r]), 1e-7));
                 CHECK_THAT(G_prime(row, column), WithinAbs((u(x + half) - u(x - half)) / (2 * half * scale), 1e-7));
-                CHECK_THAT(G_y(row, column), WithinAbs(u_y(x), 1e-7));
+                CHECK_THAT(G_y(row, column), WithinAbs(by(&HalfSpace<double>::corner_lateral_slope, x), 1e-7));
             }
         }
     }

@@ -96,16 +96,6 @@ TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity"
         };
         brute_force::with_library_kernel<Scalar>(kernel, check);
     }
-    for (const auto& [name, kernel] : brute_force::every_kernel()) {  // and brute_force::Kernel::slope is g'
-        for (const Real x : {0.01L, 0.3L, 1.7L}) {
-            const Real step = x * 1e-4L;
-            const Real slope =
-                (8 * (kernel.g(x + step) - kernel.g(x - step)) - kernel.g(x + 2 * step) + kernel.g(x - 2 * step)) /
-                (12 * step);
-            CAPTURE(name);
-            CHECK(std::abs(static_cast<double>(slope / kernel.slope(x) - 1)) < 1e-12);
-        }
-    }
 }
 
 TEST_CASE("The smooth part of a wide strip keeps its digits", "[kernel]") {

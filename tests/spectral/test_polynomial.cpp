@@ -22,10 +22,11 @@ using namespace rollbem;
 using namespace rollbem::studies;
 using Complex = std::complex<double>;
 
+[[maybe_unused]] auto* const off = gsl_set_error_handler_off();  // underflow is no error
+
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
 TEST_CASE("The Chebyshev basis agrees with the Bessel functions at real frequencies", "[polynomial]") {
-    gsl_set_error_handler_off();
     double largest = 0;
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double aspect : {0.3, 1.0, 10.0, 100.0, 1e4, 1e8}) {
@@ -91,12 +92,6 @@ TEST_CASE("The error estimate of the Chebyshev basis bounds the error at every o
     CHECK(slackest < 1.5e-8);
 }
 
-TEST_CASE("The Chebyshev basis reports an order that is too low for the frequency", "[polynomial]") {
-    const EstimatedC11<double> solution = polynomial_c11(Complex(0, 50), 0.25, 100.0, 20);
-    CHECK(solution.status == Status::not_converged);
-    CHECK(relative_error(solution.c11, reference::plane_c11({0, 50}, 0.25, 100.0)) > 1e-6);
-}
-
 TEST_CASE("The Chebyshev coefficients solve the bordered system", "[polynomial]") {
     const double nu = 0.3;
     const double aspect = 20;
@@ -119,7 +114,6 @@ TEST_CASE("The Chebyshev coefficients solve the bordered system", "[polynomial]"
 }
 
 TEST_CASE("Tractions and displacements of both bases agree with the exact ones", "[polynomial]") {
-    gsl_set_error_handler_off();
     const double nu = 0.25;
     const double aspect = 100;
     for (const double z : {0.0, 0.5, 3.0}) {
@@ -150,37 +144,7 @@ TEST_CASE("Tractions and displacements of both bases agree with the exact ones",
     }
 }
 
-TEST_CASE("B in closed form equals the route through Chebyshev polynomials", "[polynomial]") {
-    const Eigen::Index order = 20;
-    const long double nu = 0.25L;
-    const long double aspect = 100;
-    using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-    Matrix t = Matrix::Zero(order + 1, order + 1);  // T_n in monomials
-    t(0, 0) = 1;
-    t(1, 1) = 1;
-    for (Eigen::Index n = 2; n <= order; ++n) {
-        t.row(n).tail(order) = 2 * t.row(n - 1).head(order);
-        t.row(n) -= t.row(n - 2);
-    }
-    // expected = T^-1 K T with the diagonal kernel K of Chebyshev polynomials
-    const Matrix b = displacement_matrix(order, nu, aspect);
-    Matrix expected = Matrix::Zero(order + 1, order + 1);
-    long double difference = 0;
-    for (Eigen::Index l = 0; l <= order; ++l) {
-        const long double kernel = 2 * (1 - nu) * (l == 0 ? plane_lambda(nu, aspect) : 1 / static_cast<long double>(l));
-        for (Eigen::Index j = 0; j <= order; ++j) {
-            long double sum = kernel * t(l, j);
-            for (Eigen::Index k = 0; k < l; ++k) sum -= t(l, k) * expected(k, j);
-            expected(l, j) = sum / t(l, l);
-            difference = std::max(difference, std::abs(b(l, j) - expected(l, j)));
-        }
-    }
-    CAPTURE(difference);
-    CHECK(difference < 1e-14L);
-}
-
 TEST_CASE("Monomials break down before their matrix looks singular, and report it", "[polynomial]") {
-    gsl_set_error_handler_off();
     const Complex s(0, 50);
     const Complex exact = reference::plane_c11({0, 50}, 0.25, 100.0);
     const PolynomialSolution<double> monomial = solve_monomial<double>(s, 0.25, 100.0, 60);
