@@ -47,7 +47,7 @@ TEST_CASE("laws: friction, steady and in time, of lines and patches", "[friction
         const ForceElement of = friction(what, by, law);
         // what lies above has a kink nearby, if only of a first stage
         has_tangent(of, {.scenes = 20, .step = 2e-5, .error = 1e-6, .share = 0.95, .rough = 1, .is_curved = false});
-        has_no_past(of, 5);
+        has_no_past(of, 15);
         if (by == By::implicit_euler || by == By::sdirk2) return;
         const ForceElement plain = friction(what, by, law, true);
         if (what != Rolling::one) is_symmetric(plain, 1e-9, 10);
