@@ -437,6 +437,7 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         return any();
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
+    const auto turn = std::make_shared<int>(0);
     result.distract = [=](const Numbers& x) {
         const int own_kind = scene->kind;
         for (int kind = 0; kind < 3 && in_time; ++kind) {
@@ -444,7 +445,7 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
             step(*scene, x);
         }
         scene->kind = own_kind;
-        // other models with the same memory: with the other integrator, another law, other pressures, other equations
+        // another model with the same memory, in turn: with the other integrator, another law, other pressures, other equations
         const By other_by = by == By::sdirk2 ? By::implicit_euler : by == By::implicit_euler ? By::sdirk2 : by;
         const Law other_law = law == Law::falling && !body->is_patch() ? Law::remembering
                               : law == Law::remembering                ? Law::falling
@@ -452,17 +453,21 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         Body other_body = *body;
         other_body.scheme = {};
         other_body.a_over_b *= 1.1;
-        for (const FrictionModel& model :
-             {body->model(other_by, law, false), body->model(by, other_law, false), body->model(by, law, false, 0.5),
-              (body->is_patch() && by == By::alone ? *body : other_body).model(by, law, false)}) {
-            SlippingScene other = *scene;
-            other.model = model;
-            other.target = &other.to;
-            if (model.fingerprint() != scene->model.fingerprint()) other.from = other.mark = model.at_rest();
-            std::swap(other.workspace, scene->workspace);
-            step(other, x);
-            std::swap(other.workspace, scene->workspace);
+        const FrictionModel others[] = {
+            body->model(other_by, law, false), body->model(by, other_law, false), body->model(by, law, false, 0.5),
+            (body->is_patch() && by == By::alone ? *body : other_body).model(by, law, false)};
+        if (*turn / 4 % 2 == 0) scene->workspace = scene->model.workspace();  // what the other leaves is all there is
+        SlippingScene other = *scene;
+        other.model = others[(*turn)++ % 4];
+        other.target = &other.to;
+        if (other.model.fingerprint() != scene->model.fingerprint()) {
+            other.from = other.mark = other.model.at_rest();
+            other.from.half_length = scene->from.half_length;
+            other.from.half_width = scene->from.half_width;
         }
+        std::swap(other.workspace, scene->workspace);
+        step(other, x);
+        std::swap(other.workspace, scene->workspace);
     };
     if (forces == 3) result.symmetries = {{"across the track", "+--", "+--"}, {"backward motion", "---", "---"}};
     for (Symmetry& symmetry : result.symmetries) {
