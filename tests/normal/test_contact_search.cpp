@@ -848,6 +848,16 @@ TEST_CASE("contact_search: cells for waves of a rough wheel on a rough rail are 
     }
 }
 
+TEST_CASE("contact_search: a narrow bump far from the deepest contact is a contact of its own", "[profiles]") {
+    for (const auto& [height, at] : {std::pair(2e-5, 7e-3), std::pair(4e-5, 7.6e-3), std::pair(6e-5, 8.4e-3)}) {
+        const Profile rail = piece(-0.03, 0.03, 1201, [height = height, at = at](double y) {
+            return y * y / 0.8 - height * std::exp(-std::pow((y - at) / 2e-4, 2));
+        });
+        WheelOnRail::Workspace workspace;
+        CHECK(WheelOnRail(cylinder(), rail, above).solve_for_load({}, 1e5, workspace).patches.size() == 2);
+    }
+}
+
 TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {
     const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
     WheelOnRail::Dimensions soft = above;

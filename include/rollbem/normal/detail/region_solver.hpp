@@ -104,7 +104,7 @@ public:
             region.resolved = resolved;
             region.plane = plane_of(*geometry_, found, at_.along);
             region.body = found.body;
-            region.grid = first_grid(region.plane);
+            region.grid = first_grid(region);
             find_gaps(region);
         }
         while (normal_.size() < regions_.size()) normal_.emplace_back(geometry_->compliance());
@@ -409,13 +409,15 @@ private:
         }
     }
 
-    NormalContact::Cells first_grid(const ContactPlane& plane) const {
-        constexpr Eigen::Index cells = 24;
+    NormalContact::Cells first_grid(const SolvedRegion& region) {
+        const ContactPlane& plane = region.plane;
+        // finer grids lie where these cells find pressure: none of several lobes may lie between them
+        const Eigen::Index nx = 24, ny = has_lobes(region) ? 60 : nx;
         constexpr double least = 2e-6;
         const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
         const double height = (std::max)(1.04 * (plane.high - plane.low), least);
-        const double dx = 2 * half / cells, dy = height / cells, middle = (plane.x_low + plane.x_high) / 2;
-        return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
+        const double dx = 2 * half / double(nx), dy = height / double(ny), middle = (plane.x_low + plane.x_high) / 2;
+        return {nx, ny, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
     }
 
     // Grid over the cells that may touch, with a margin of two cells.
