@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,22 +20,84 @@ using drawn::Draw;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 
-TEST_CASE("Without tangents the steps are the same", "[friction]") {
-    for (Setup setup : every_setup()) {
-        INFO(words(setup));
-        Ride ride(setup);
-        setup.with_tangents = false;
-        Ride bare(setup);
-        for (int k = 0; k < 20; ++k) {
-            const Load load{(1 + 0.1 * std::sin(k)) * setup.pressure(), a, setup.pressure()};
-            const Motion motion = Motion::linear(creepage(0.9 * std::sin(k)), creepage(1.2 * std::sin(k + 1), 10 * k));
-            const Step expected = ride.step(0.1, motion, &load), step = bare.step(0.1, motion, &load);
-            REQUIRE(step.status == expected.status);
-            CHECK(same(ratios(step), ratios(expected)));
-            CHECK(same(bare.now, ride.now));
-            CHECK(detail::is_nan(step.tangent.by_longitudinal.longitudinal));
-            CHECK(detail::is_nan(step.tangent_by_load.longitudinal));
+/// A step, a shift or a steady solution, some under a load of their own.
+struct Task {
+    int kind;
+    double dq;
+    Creepage start, end;
+    Load load;
+
+    static Task any(Draw& draw, const Setup& setup, double half_length) {
+        constexpr double lengths[] = {
+            0.05, 0.1, 0.1 * (1 + 1e-9), 0.1 * (1 - 5e-7), 0.1 * (1 - std::numbers::sqrt2 / 2), 1, 1e-9, 1e6};
+        const auto drawn = [&] { return creepage(draw.uniform(-1.6, 1.6), draw.uniform(-90, 90)); };
+        Task task{draw.integer(6), lengths[draw.integer(8)], drawn(), drawn(), {}};
+        const double longer = task.kind == 1 || task.kind == 2 ? 0 : draw.uniform(-0.04, 0.04) * std::min(task.dq, 1.0);
+        task.load = {draw.uniform(0.9, 1.1) * setup.pressure(), half_length + longer * a, setup.pressure()};
+        if (draw.one_in(4)) task.load.pressure_rate.resize(0);
+        return task;
+    }
+    Step run(const FrictionModel& model, const State& from, State& to, Workspace& workspace) const {
+        const Load* const own = kind % 2 == 0 ? nullptr : &load;
+        if (kind == 0) return model.steady(from, {Travel::at_speed(speed), end}, to, workspace);
+        if (kind < 3) {
+            const Motion shifts = Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral});
+            return advance(model, from, Ride::travel(0), shifts, own, to, workspace);
         }
+        return advance(model, from, Ride::travel(dq), kind == 3 ? Motion(end) : Motion::linear(start, end), own, to,
+                       workspace);
+    }
+};
+
+TEST_CASE("Results depend on state and arguments alone, to the last bit", "[friction]") {
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        Draw draw(5);
+        int mixed = 0;
+        for (const int n : {4, 17}) {
+            // the same equations with another integrator, another law, without tangents; other equations
+            std::vector<Setup> setups(5, setup);
+            setups[1].integrator = Integrator::implicit_euler;
+            setups[2].constant *= 0.5;
+            setups[2].falling.half_velocity *= 0.5;
+            setups[3].with_tangents = false;
+            setups[4].scheme = {.alpha_L = 0, .alpha_T = 0.5};
+            for (Setup& each : setups) each.mesh = cosine_mesh<double>(n);
+            std::vector<Ride> rides;
+            for (const Setup& each : setups) rides.emplace_back(each);
+            Workspace used = rides[0].model.workspace();
+            for (int k = 0; k < 250; ++k) {
+                const int who = k < 60 ? 0 : draw.integer(5);
+                Ride& ride = rides[static_cast<std::size_t>(who)];
+                const Task task = Task::any(draw, setups[0], ride.now.half_length);
+                const State from = ride.now;
+                State alone = ride.now;
+                alone.traction.setOnes();  // what is written to holds anything
+                alone.unrotated_traction.setOnes();
+                alone.normal_pressure.setOnes();
+                Workspace fresh = ride.model.workspace();
+                const Step found = task.run(ride.model, ride.now, ride.next, used);
+                const Step expected = task.run(ride.model, ride.now, alone, fresh);
+                CAPTURE(n, k, who, task.kind, task.dq, name(found.status));
+                REQUIRE((found.status == Status::ok || setup.falls));
+                REQUIRE(same(found, expected));
+                REQUIRE(same(ride.next, alone));
+                REQUIRE(same(used.slip(), fresh.slip()));
+                REQUIRE(same(used.slip_work(), fresh.slip_work()));
+                REQUIRE(same(ride.now, from));
+                mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
+                // without tangents the step is the same
+                if (who == 0 && setup.falls) {
+                    const Step bare = task.run(rides[3].model, from, alone, fresh);
+                    REQUIRE(same(ratios(bare), ratios(found)));
+                    REQUIRE(same(ride.next, alone));
+                    REQUIRE(detail::is_nan(bare.tangent.by_longitudinal.longitudinal));
+                    REQUIRE(detail::is_nan(bare.tangent_by_load.longitudinal));
+                }
+                if (!draw.one_in(3)) ride.accept();  // otherwise the trial is rejected
+            }
+        }
+        CHECK(mixed > 100);
     }
 }
 
@@ -57,7 +120,7 @@ TEST_CASE("Long runs in which nothing changes do not depend on the workspace, an
                                   : k == 230 ? Motion::shift({dq * a * held.longitudinal, dq * a * held.lateral})
                                              : Motion(held);
             const Travel travel = Ride::travel(k == 220 ? 0 : dq);
-            if (draw.one_in(6)) ride.try_step(draw.decades(-1, 0), creepage(draw.uniform(-1.6, 1.6), 50));
+            if (draw.one_in(6)) Task::any(draw, setup, a).run(ride.model, ride.now, ride.next, ride.own);
             Workspace fresh = ride.model.workspace();
             const Step found = ride.model.advance(ride.now, {travel, motion}, ride.next, ride.own);
             const Step expected = ride.model.advance(ride.now, {travel, motion}, alone, fresh);
@@ -325,5 +388,21 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 }
 
 }  // namespace
+
+TEST_CASE("Steady rolling from rest under a load is that under the load", "[friction]") {
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        Ride ride(setup);
+        const Load load{0.9 * setup.pressure(), 1.05 * a, setup.pressure()};
+        const State rest = ride.model.at_rest(load);
+        State to = ride.now;
+        const Travel travel = Travel::at_speed(speed);
+        const Step expected = ride.model.steady(ride.now, {travel, creepage(0.5), load}, ride.next, ride.own);
+        const Step found = ride.model.steady(rest, {travel, creepage(0.5)}, to, ride.own);
+        REQUIRE(expected.status == Status::ok);
+        CHECK(found.force.longitudinal == expected.force.longitudinal);
+        CHECK(same(to, ride.next));
+    }
+}
 
 }  // namespace any_model

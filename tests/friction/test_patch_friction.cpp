@@ -1,4 +1,4 @@
-// Friction on a contact patch: steady forces against limits of small elements, work, units.
+// Friction on a contact patch: steady forces against limits of small elements, symmetries, work, units.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -277,7 +277,7 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
                     .converges());
 }
 
-TEST_CASE("patch_friction: limits") {
+TEST_CASE("patch_friction: limits and symmetries") {
     const Scene scene(6e-3, 4e-3, 8, 7);
     const auto model = scene.steady();
 
@@ -309,6 +309,17 @@ TEST_CASE("patch_friction: limits") {
     CHECK(std::abs(full[0]) < 1e-10);
     CHECK(std::abs(full[1]) < 1e-3);
     CHECK(full[2] == Approx(3 * std::numbers::pi / 16).epsilon(1e-2));
+
+    // the mirror image at -y: F_y and M_z change their signs with eta and phi
+    const Creepage some{1e-3, 5e-4, 0.2};
+    const TangentialForce force = solve(model, some).step.force,
+                          mirrored = solve(model, {1e-3, -5e-4, -0.2}).step.force,
+                          opposite = solve(model, {-1e-3, -5e-4, -0.2}).step.force;
+    CHECK(mirrored.longitudinal == Approx(force.longitudinal).epsilon(1e-11));
+    CHECK(mirrored.lateral == Approx(-force.lateral).epsilon(1e-11));
+    CHECK(mirrored.moment == Approx(-force.moment).epsilon(1e-11));
+    CHECK(opposite.longitudinal == Approx(-force.longitudinal).epsilon(1e-11));
+    CHECK(opposite.moment == Approx(-force.moment).epsilon(1e-11));
 
     // one element
     const Scene single(5e-3, 5e-3, 1, 1);

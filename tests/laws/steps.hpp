@@ -245,7 +245,6 @@ namespace steps_detail {
 struct Body {
     Rolling what;
     double a_over_b = 1;
-    NodeDifference scheme = chebyshev;  ///< on lines
 
     bool is_patch() const { return what == Rolling::patch; }
     double half_width() const { return is_patch() ? a_0 / a_over_b : 10 * a_0; }
@@ -276,13 +275,13 @@ struct Body {
         const Friction of = friction(peak * mean_hertz_pressure(mesh));
         const auto x = PlaneKernel<double>::longitudinal(contact), y = PlaneKernel<double>::lateral(contact);
         if (by == By::alone) {
-            const auto along = steady_system(mesh, scheme, x);
+            const auto along = steady_system(mesh, chebyshev, x);
             if (what == Rolling::one) return {contact, along, of};
-            return {contact, ElementSystem(along, steady_system(mesh, scheme, y)), of};
+            return {contact, ElementSystem(along, steady_system(mesh, chebyshev, y)), of};
         }
-        const auto along = rolling_system(mesh, scheme, x);
+        const auto along = rolling_system(mesh, chebyshev, x);
         if (what == Rolling::one) return {contact, along, unchecked, of, integrator};
-        return {contact, ElementSystem(along, rolling_system(mesh, scheme, y)), unchecked, of, integrator};
+        return {contact, ElementSystem(along, rolling_system(mesh, chebyshev, y)), unchecked, of, integrator};
     }
 };
 
@@ -331,7 +330,7 @@ inline void add_spoilt_states(const std::shared_ptr<SlippingScene>& scene, bool 
 }  // namespace steps_detail
 
 /// Creepages; for steps a factor of the pressures, the semi-axes and the distance dq; the duration where it matters.
-/// Values are the forces, tractions and coefficients of the state, and the work of slip. A `plain` element has neither holes in the
+/// Values are the forces, and tractions and coefficients of the state. A `plain` element has neither holes in the
 /// pressures nor rigid slip of its own, and starts from rest.
 inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
     using namespace steps_detail;
@@ -350,14 +349,13 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
                   std::to_string(scene->model.directions()) + ", law " + std::to_string(int(law)) + ", by " +
                   std::to_string(int(by));
     const auto add = [](std::vector<Quantity>& to, std::initializer_list<double> of, Eigen::Index count) {
-        for (Eigen::Index k = 0; k < count; ++k) to.push_back({of.begin()[of.size() > 1 ? k : 0]});
+        for (Eigen::Index k = 0; k < count; ++k) to.push_back({of.begin()[k]});
     };
     add(result.inputs, {body->creepage(), body->creepage(), body->creepage() / c}, forces);
     if (in_time) add(result.inputs, {1, a_0, body->half_width()}, 1 + axes);
     add(result.inputs, {a_0, a_0 / V}, travel);
     add(result.values, {force, force, force * c}, forces);
     for (Eigen::Index i = 0; i < (columns + 1) * n; ++i) result.values.push_back({i < columns * n ? mu * peak : mu});
-    add(result.values, {force * body->creepage() * (in_time ? a_0 : 1)}, n);
     result.motions = std::size_t(forces);
 
     const auto step = [=](SlippingScene& on, const Numbers& x) {
@@ -376,7 +374,7 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         const double worked = on.workspace.slip_work().sum();
         const FrictionStep found = in_time ? on.model.advance(on.from, rolled, *on.target, on.workspace)
                                            : on.model.steady(on.from, rolled, *on.target, on.workspace);
-        Answer answer{Numbers(forces + (columns + 2) * n), Tangent(forces, own), found.status};
+        Answer answer{Numbers(forces + (columns + 1) * n), Tangent(forces, own), found.status};
         answer.values.setConstant(nan);
         answer.values.head(forces) = vector(found.force).head(forces);
         for (Eigen::Index j = 0; j < own; ++j) {
@@ -397,10 +395,8 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         }
         for (const Zone zone : on.target->zones) answer.branch = 3 * answer.branch + std::size_t(int(zone) + 1);
         answer.values.segment(forces, columns * n) = on.target->traction.leftCols(columns).reshaped();
-        auto coefficients = answer.values.segment(forces + columns * n, n);
-        coefficients.setConstant(mu);
-        if (falls) coefficients = on.target->friction_coefficient.matrix();
-        answer.values.tail(n) = on.workspace.slip_work();
+        answer.values.tail(n).setConstant(mu);
+        if (falls) answer.values.tail(n) = on.target->friction_coefficient.matrix();
         return answer;
     };
     result.answer = [=](const Numbers& x) { return step(*scene, x); };
@@ -437,37 +433,14 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         return any();
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
-    const auto turn = std::make_shared<int>(0);
     result.distract = [=](const Numbers& x) {
+        if (!in_time) return;
         const int own_kind = scene->kind;
-        for (int kind = 0; kind < 3 && in_time; ++kind) {
+        for (int kind = 0; kind < 3; ++kind) {
             scene->kind = (own_kind + kind) % 3;
             step(*scene, x);
         }
         scene->kind = own_kind;
-        // another model with the same memory, in turn: with the other integrator, another law, other pressures, other equations
-        const By other_by = by == By::sdirk2 ? By::implicit_euler : by == By::implicit_euler ? By::sdirk2 : by;
-        const Law other_law = law == Law::falling && !body->is_patch() ? Law::remembering
-                              : law == Law::remembering                ? Law::falling
-                                                                       : law;
-        Body other_body = *body;
-        other_body.scheme = {};
-        other_body.a_over_b *= 1.1;
-        const FrictionModel others[] = {
-            body->model(other_by, law, false), body->model(by, other_law, false), body->model(by, law, false, 0.5),
-            (body->is_patch() && by == By::alone ? *body : other_body).model(by, law, false)};
-        if (*turn / 4 % 2 == 0) scene->workspace = scene->model.workspace();  // what the other leaves is all there is
-        SlippingScene other = *scene;
-        other.model = others[(*turn)++ % 4];
-        other.target = &other.to;
-        if (other.model.fingerprint() != scene->model.fingerprint()) {
-            other.from = other.mark = other.model.at_rest();
-            other.from.half_length = scene->from.half_length;
-            other.from.half_width = scene->from.half_width;
-        }
-        std::swap(other.workspace, scene->workspace);
-        step(other, x);
-        std::swap(other.workspace, scene->workspace);
     };
     if (forces == 3) result.symmetries = {{"across the track", "+--", "+--"}, {"backward motion", "---", "---"}};
     for (Symmetry& symmetry : result.symmetries) {

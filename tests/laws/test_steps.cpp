@@ -45,8 +45,8 @@ TEST_CASE("laws: steps in full adhesion", "[transient]") {
 TEST_CASE("laws: friction, steady and in time, of lines and patches", "[friction]") {
     for_each_slipping([](Rolling what, By by, Law law) {
         const ForceElement of = friction(what, by, law);
-        has_tangent(of, {.scenes = 40, .step = 2e-5, .error = 1e-6, .rough = 1e-6, .is_curved = false});
-        has_no_past(of, 15);
+        has_tangent(of, {.scenes = 20, .step = 2e-5, .error = 1e-6, .rough = 1e-6, .is_curved = false});
+        has_no_past(of, 5);
         if (by == By::implicit_euler || by == By::sdirk2) return;
         const ForceElement plain = friction(what, by, law, true);
         if (what != Rolling::one) is_symmetric(plain, 1e-9, 10);

@@ -669,7 +669,7 @@ TEST_CASE("contact_search: regions that appear or vanish have the cells of the f
     settings.cells_x = 6;
     settings.halves_cells = true;
     // two crowns with flat tops, one of which lies 60 um lower; of rough ones cells are given up early
-    for (const auto& [noise, first] : {std::pair{0.0, 5e-5}, {0.0, 7e-5}, {8e-6, 5e-5}}) {
+    for (const auto& [noise, first] : {std::pair{0.0, 5e-5}, {0.0, 7e-5}, {1e-5, 5e-5}}) {
         std::mt19937 random(1);
         const auto rough = [&, size = noise](double z) {
             return z + size * (double(random()) / double(std::mt19937::max()) - 0.5);
@@ -776,7 +776,7 @@ TEST_CASE("contact_search: what is too small for an outline and carries next to 
         piece(-0.03, 0.03, 6001, [](double y) { return 0.4 * y * y + 8e-6 * std::cos(2 * pi * y / 0.004); });
     WheelOnRail::Workspace workspace;
     const auto contact =
-        WheelOnRail(cylinder(), lobes, above).solve_at_height({.height = 9.58e-6}, workspace, {.halves_cells = false});
+        WheelOnRail(cylinder(), lobes, above).solve_at_height({.height = 9.5e-6}, workspace, {.halves_cells = false});
     CHECK(contact.status == Status::ok);
     REQUIRE(contact.patches.size() == 2);
     CHECK(contact.dropped > 0);

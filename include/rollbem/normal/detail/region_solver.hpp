@@ -411,8 +411,8 @@ private:
 
     NormalContact::Cells first_grid(const SolvedRegion& region) {
         const ContactPlane& plane = region.plane;
-        // finer grids lie where these cells find pressure: none of several lobes may lie between them
-        const Eigen::Index nx = 24, ny = has_lobes(region) ? 60 : nx;
+        // finer grids lie where these cells find pressure: no lobe may lie between them
+        const Eigen::Index nx = 24, ny = has_narrow_lobe(region) ? 60 : nx;
         constexpr double least = 2e-6;
         const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
         const double height = (std::max)(1.04 * (plane.high - plane.low), least);
@@ -446,22 +446,51 @@ private:
         return {nx, ny, left + (0.5 - double(beside_x)) * dx, bottom + (0.5 - double(beside_s)) * dy, dx, dy};
     }
 
-    // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
-    bool has_lobes(const SolvedRegion& region) {
-        const ContactPlane& plane = region.plane;
-        constexpr Eigen::Index count = 80, least_cells = 10;
+    // The gap in 80 places across a plane; none of a plane without width.
+    Eigen::ArrayXd gap_across(const ContactPlane& plane) {
+        constexpr Eigen::Index count = 80;
         const double ds = (plane.high - plane.low) / count;
-        if (!(ds > 0)) return false;
+        if (!(ds > 0)) return {};
         finder_.find(*geometry_, *placed_, at_.height, at_.along, plane, {1, count, 0, plane.low + ds / 2, ds, ds},
                      row_);
-        const Eigen::ArrayXd h = row_.h.row(0);
+        return row_.h.row(0);
+    }
+
+    // Whether a lobe of the gap is narrower, half-way up to the ridge beside it, than a tenth of the plane.
+    bool has_narrow_lobe(const SolvedRegion& region) {
+        const Eigen::ArrayXd h = gap_across(region.plane);
+        const Eigen::Index count = h.size(), narrow = count / 10;
+        const double distinct = count > 0 ? -h.minCoeff() / 200 : 0;
+        for (Eigen::Index at = 0; at < count; ++at) {
+            double ridge = std::numeric_limits<double>::infinity();
+            for (const Eigen::Index step : {-1, 1}) {
+                double highest = h[at];
+                for (Eigen::Index j = at + step; j >= 0 && j < count && h[j] >= h[at]; j += step)
+                    highest = (std::max)(highest, h[j]);
+                ridge = (std::min)(ridge, highest);
+            }
+            if (!(ridge - h[at] > distinct)) continue;
+            Eigen::Index low = at, high = at;
+            while (low > 0 && h[low - 1] < (ridge + h[at]) / 2) --low;
+            while (high + 1 < count && h[high + 1] < (ridge + h[at]) / 2) ++high;
+            if (high - low < narrow) return true;
+        }
+        return false;
+    }
+
+    // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
+    bool has_lobes(const SolvedRegion& region) {
+        constexpr Eigen::Index least_cells = 10;
+        const Eigen::ArrayXd h = gap_across(region.plane);
+        const Eigen::Index count = h.size();
+        if (count == 0) return false;
         // across the deepest lobe: a parabola has half its width where the gap has risen by a quarter
         Eigen::Index deepest = 0;
         const double least = h.minCoeff(&deepest);
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
-        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
+        if (double(high - low + 1) / double(count) * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
         // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
