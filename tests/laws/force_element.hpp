@@ -60,6 +60,11 @@ struct Spoilt {
     Status status;
 };
 
+/// A force at a place, and a moment besides.
+struct Wrench {
+    Eigen::Vector3d place, force, moment{0, 0, 0};
+};
+
 struct ForceElement {
     std::string name;
     std::vector<Quantity> inputs, values;
@@ -70,6 +75,8 @@ struct ForceElement {
     std::vector<Spoilt> spoilt{};
     std::size_t motions = 0;         ///< the first inputs are creepages, and the first values the forces against them
     std::function<void()> forget{};  ///< gives the element a new workspace
+    /// The forces on the rail, part by part, about the point of the moments; the first values are force and moment.
+    std::function<std::vector<Wrench>(const Numbers&)> on_rail{};
     std::function<void(const Numbers&)> distract{};  ///< asks for what is not an answer, such as other kinds of motion
 };
 

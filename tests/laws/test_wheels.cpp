@@ -1,5 +1,6 @@
 // rollbem/vehicle/contact_table.hpp: the laws of force elements.
 #include "laws/past.hpp"
+#include "laws/reaction.hpp"
 #include "laws/refusals.hpp"
 #include "laws/symmetry.hpp"
 #include "laws/tangent.hpp"
@@ -18,6 +19,7 @@ TEST_CASE("laws: a wheel by look-up", "[contact_table]") {
     has_tangent(of, {.scenes = 100, .step = 2e-3, .error = 1e-7, .share = 0.99, .rough = 1e-3});
     is_symmetric(of);
     if (kind < 2) keeps_units(of, 1e-12);  // friction that falls with the slip velocity has a time of its own
+    reacts(of, 1e-11);
     refuses(of);
     has_no_past(of);
 }

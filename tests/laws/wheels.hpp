@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
+
 #include <rollbem/vehicle.hpp>
 
 #include "laws/force_element.hpp"
@@ -32,6 +34,13 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
     constexpr double Q = 1e5;
     const double radius = s1002_on_60e1().side(WheelsetSide::right).radius;
     steel_creep();  // is read now, not by an answer
+    const auto look_up = [rolls, friction](const Numbers& x) {
+        ContactTable::Friction own = friction;
+        own.coefficient = x[9];
+        return s1002_on_60e1().look_up(steel_creep(), side_of(x[x.size() - 1]), {.lateral = x[0], .yaw = x[1]},
+                                       {x[2], x[3], x[4], x[5], x[6], x[7]},
+                                       {x[8], rolls ? std::optional(x[10]) : std::nullopt}, own);
+    };
     ForceElement result{
         .name = rolls ? "a wheel, with a roll" : "a wheel",
         .inputs = {{1e-4},
@@ -58,12 +67,8 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
                 return x;
             },
         .answer =
-            [rolls, friction](const Numbers& x) {
-                ContactTable::Friction own = friction;
-                own.coefficient = x[9];
-                const WheelForces at = s1002_on_60e1().look_up(
-                    steel_creep(), side_of(x[x.size() - 1]), {.lateral = x[0], .yaw = x[1]},
-                    {x[2], x[3], x[4], x[5], x[6], x[7]}, {x[8], rolls ? std::optional(x[10]) : std::nullopt}, own);
+            [rolls, look_up](const Numbers& x) {
+                const WheelForces at = look_up(x);
                 Answer answer{Numbers(7), at.tangent.leftCols(rolls ? 11 : 10), at.status};
                 answer.values << at.force, at.status == Status::ok ? at.heat : nan;
                 if (at.status != Status::ok) answer.tangent.setConstant(nan);
@@ -74,6 +79,22 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
                      {1, {0.1, -1}, Status::wrong_table},
                      {8, {-1, -1e-300, 1e151, 1e300}, Status::invalid_load},
                      {9, {-1, -1e-300}, Status::invalid_load}}};
+    result.on_rail = [look_up](const Numbers& x) {
+        const double sign = x[x.size() - 1];
+        const Eigen::DiagonalMatrix<double, 3> mirror(1, sign, 1);
+        std::vector<Wrench> parts;
+        for (const WheelForces::Point& point : look_up(x).points) {
+            if (!(point.load_share > 0)) continue;
+            const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+            const Eigen::AngleAxisd normal(point.angle, axis), plane(point.friction_angle, axis);
+            const auto& [along, across, moment] = point.force;
+            parts.push_back({mirror * Eigen::Vector3d(point.arm[0], point.arm[1], point.arm[2]),
+                             mirror * (normal * Eigen::Vector3d(0, 0, point.normal_load) -
+                                       plane * Eigen::Vector3d(along, across, 0)),
+                             -sign * (mirror * (plane * Eigen::Vector3d(0, 0, moment)))});
+        }
+        return parts;
+    };
     if (!rolls) {
         result.inputs.erase(result.inputs.begin() + 10);
         for (Symmetry& symmetry : result.symmetries) symmetry.inputs.erase(10, 1);

@@ -13,17 +13,11 @@ namespace {
 
 using namespace rollbem;
 
-const HertzLine line({.load_per_width = 1e6,
-                      .combined_radius = 0.46,
-                      .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
-                      .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
-
 HertzLine line_under(double load_per_width) {
-    return HertzLine({.load_per_width = load_per_width,
-                      .combined_radius = 0.46,
-                      .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
-                      .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
+    const ElasticBody steel{2.1e11, 0.28};
+    return HertzLine({.load_per_width = load_per_width, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
 }
+const HertzLine line = line_under(1e6);
 
 // The mean over an element of a fixed mesh, by quadrature in the angle theta, x = -a cos(theta).
 double exact_mean(const HertzLine& hertz, double low, double high) {

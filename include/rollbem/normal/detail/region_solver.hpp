@@ -490,7 +490,8 @@ private:
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
-        if (double(high - low + 1) / double(count) * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
+        if (double(high - low + 1) / double(count) * 2 * double(settings_.cells_s * region.times_s) < least_cells)
+            return true;
         // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
