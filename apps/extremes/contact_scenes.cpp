@@ -86,7 +86,7 @@ bool is_sound(const RailPatch& patch) {
         if (!detail::is_finite(number)) return false;
     }
     return (patch.pressure >= 0).all() && patch.pressure.allFinite() && patch.outline && patch.residual <= 1e-6 &&
-           patch.area > 0 && patch.peak_pressure > 0;
+           patch.area > 0 && patch.peak_pressure > 0 && patch.approach > 0;
 }
 
 /// A wheel under a load, and the number of its cells over 24 x 16.

@@ -790,6 +790,18 @@ TEST_CASE("contact_search: a narrow bump far from the deepest contact is a conta
     }
 }
 
+TEST_CASE("contact_search: approaches are depths of the surfaces, also where gaps beside a patch are not known",
+          "[profiles]") {
+    for (const double cant : {0.0, 1.0 / 40, 1.0 / 20}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact =
+            WheelOnRail(s1002(), rail_uic60(cant))
+                .solve_for_load({.lateral = 5.895e-3, .roll = -2.044e-3, .yaw = -0.02644}, 9.2e5, workspace);
+        REQUIRE_FALSE(contact.patches.empty());
+        for (const RailPatch& patch : contact.patches) CHECK(patch.approach > 0);
+    }
+}
+
 TEST_CASE("contact_search: a contact does not depend on what its workspace has solved before", "[profiles]") {
     const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
     WheelOnRail::Dimensions soft = above;

@@ -91,7 +91,8 @@ inline double largest_depth(const WheelOnRail::Geometry& geometry, const Wheelse
         finder.find(geometry, placed, at.height, at.along, of.plane, line, gaps);
         const Eigen::ArrayXd on = gaps.h.reshaped();
         const double least = on.minCoeff(&deepest);
-        if (deepest == 0 || deepest == count - 1) return least;
+        const auto is_known = [&](Eigen::Index k) { return gaps.known.reshaped()[k] == Status::ok; };
+        if (deepest == 0 || deepest == count - 1 || !is_known(deepest - 1) || !is_known(deepest + 1)) return least;
         const double before = on[deepest - 1], after = on[deepest + 1], bend = before - 2 * least + after,
                      slope = (after - before) / 2;
         if (bend > 0) beside += slope * slope / (2 * bend);
@@ -101,7 +102,7 @@ inline double largest_depth(const WheelOnRail::Geometry& geometry, const Wheelse
     NormalContact::Cells line{1, count, of.grid.x(i), of.grid.y(j) - of.grid.dy, dx, ds};
     least_on(line);
     line = {count, 1, line.x_0 - of.grid.dx, line.y(deepest), dx, ds};
-    return beside - least_on(line);
+    return (std::max)(beside - least_on(line), -h(i, j));  // gaps may not be known beside the cell
 }
 
 /// What all patches of a plane have in common.
