@@ -14,8 +14,8 @@ namespace {
 using namespace rollbem;
 
 HertzLine line_under(double load_per_width) {
-    const ElasticBody steel{2.1e11, 0.28};
-    return HertzLine({.load_per_width = load_per_width, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+    const ElasticBody body{2.1e11, 0.28};
+    return HertzLine({.load_per_width = load_per_width, .combined_radius = 0.46, .body_1 = body, .body_2 = body});
 }
 const HertzLine line = line_under(1e6);
 
