@@ -189,8 +189,8 @@ bool have_same_cells(const Contact& one, const Contact& other) {
     return std::equal(one.patches.begin(), one.patches.end(), other.patches.begin(), other.patches.end(), same);
 }
 
-/// What of a contact differs from its mirror image, the same under the opposite yaw; empty if nothing does. Other cells
-/// may change approaches by half a percent, and what a patch of hundredths of the load does.
+/// What of a contact differs from its mirror image, the same under the opposite yaw; empty if nothing does. With other
+/// cells approaches may differ by half a percent, and patches that carry less than a twentieth of the load may lack.
 std::string unlike_its_mirror_image(const WheelOnRail& wheel, WheelScene scene, const Contact& contact) {
     scene.at.yaw = -scene.at.yaw;
     const Contact other = solved(wheel, scene);
@@ -200,7 +200,7 @@ std::string unlike_its_mirror_image(const WheelOnRail& wheel, WheelScene scene, 
     if (!has_numbers(contact.status)) return {};
     const auto heavy = [&](const Contact& of) {
         return std::count_if(of.patches.begin(), of.patches.end(),
-                             [&](const RailPatch& patch) { return same_cells || patch.load > 0.05 * scene.load; });
+                             [&](const RailPatch& patch) { return patch.load > 0.05 * scene.load; });
     };
     if (heavy(other) != heavy(contact)) {
         return "mirror image: " + std::to_string(heavy(other)) + " patches, not " + std::to_string(heavy(contact));

@@ -136,7 +136,8 @@ static void test_patch(void) {
                          : rollbem_patch_step(patch, 1e-3, creepage, at[3], force, tangent, NULL)) == ROLLBEM_OK,
                "forces with tangents");
         for (varied = 0; varied < 4; ++varied) {
-            expect(tangent_error(roll, at[varied], 1e-5 * at[varied], tangent + 3 * varied) < 1e-5, "a tangent");
+            expect(tangent_error(roll, at[varied], 1e-5 * at[varied], tangent + 3 * varied) < 1e-5,
+                   steadily ? "a tangent of rolling" : "a tangent of a step");
         }
     }
     rollbem_patch *const copy = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 6, 6);

@@ -86,6 +86,10 @@ TEST_CASE("Both measures of yield have their largest values at depths of their o
     const Yield::Peak peak = subsurface_peak(band, 0.3, {0.3, 0}, 3);
     CHECK(at(peak.tresca_depth).tresca == Approx(peak.tresca).epsilon(1e-9));
     CHECK(at(peak.von_mises_depth).von_mises == Approx(peak.von_mises).epsilon(1e-9));
+    for (const double factor : {0.98, 1.02}) {
+        CHECK(at(factor * peak.tresca_depth).tresca < peak.tresca);
+        CHECK(at(factor * peak.von_mises_depth).von_mises < peak.von_mises);
+    }
     CHECK(peak.tresca_depth > 1.03 * peak.von_mises_depth);
     CHECK(Yield::of(Vector3d(1, 2, 4).asDiagonal()).tresca == Approx(1.5));
 }

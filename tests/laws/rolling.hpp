@@ -1,10 +1,10 @@
 // Force elements of tests/laws: wheelsets that roll on patches.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include <rollbem/vehicle.hpp>
 
@@ -65,7 +65,7 @@ inline ForceElement rolling_wheelset(bool curved = false) {
     ForceElement result{
         .name = "a rolling wheelset",
         .inputs = {{1e-4}, {1e-3}, {V}, {0.02}, {0.02}, {0.02}, {0.02}, {Q}, {Q}, {0.3}},
-        .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {40}, {Q}},
+        .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {40}, {1e-3 * Q}},
         .draw =
             [](Draw& draw) {
                 Numbers x(10);

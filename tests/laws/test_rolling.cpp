@@ -1,5 +1,4 @@
 // rollbem/vehicle/wheelset_forces.hpp: the laws of force elements.
-#include "laws/past.hpp"
 #include "laws/reaction.hpp"
 #include "laws/refusals.hpp"
 #include "laws/rolling.hpp"
@@ -11,7 +10,6 @@ TEST_CASE("laws: a wheelset that rolls on its patches", "[profiles]") {
     const ForceElement of = rolling_wheelset(GENERATE(false, true));
     is_symmetric(of, 1e-5, 2);
     reacts(of, 1e-9, 2);
-    has_no_past(of, 1);
 }
 
 TEST_CASE("laws: a wheelset that rolls on its patches refuses what cannot be meant", "[profiles]") {

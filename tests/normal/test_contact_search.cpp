@@ -798,7 +798,10 @@ TEST_CASE("contact_search: approaches are depths of the surfaces, also where gap
             WheelOnRail(s1002(), rail_uic60(cant))
                 .solve_for_load({.lateral = 5.895e-3, .roll = -2.044e-3, .yaw = -0.02644}, 9.2e5, workspace);
         REQUIRE_FALSE(contact.patches.empty());
-        for (const RailPatch& patch : contact.patches) CHECK(patch.approach > 0);
+        for (const RailPatch& patch : contact.patches) {
+            CHECK(patch.approach > 0);
+            CHECK(patch.approach < 1e-3);
+        }
     }
 }
 
