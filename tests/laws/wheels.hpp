@@ -59,11 +59,14 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
         .draw =
             [rolls, radius](Draw& draw) {
                 const double lateral = draw.uniform(-8e-3, 8e-3) * (rolls ? 0.8 : 1), yaw = draw.uniform(-0.014, 0.014);
-                Numbers x(rolls ? 12 : 11);
+                Numbers x(12);
                 x << lateral, yaw, 30, -30 / radius + draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1),
                     draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05),
-                    Q * draw.uniform(0.5, 1.5), draw.uniform(0.2, 0.4), draw.sign(), draw.sign();
+                    Q * draw.uniform(0.5, 1.5), draw.uniform(0.2, 0.4), 0, draw.sign();
                 if (rolls) x[10] = s1002_on_60e1().on_rails(lateral, yaw).roll + draw.uniform(-1e-4, 1e-4);
+                if (rolls) return x;
+                x[10] = x[11];
+                x.conservativeResize(11);
                 return x;
             },
         .answer =
