@@ -411,7 +411,7 @@ private:
 
     NormalContact::Cells first_grid(const SolvedRegion& region) {
         const ContactPlane& plane = region.plane;
-        // finer grids lie where these cells find pressure: no lobe may lie between them
+        // finer grids lie where these cells find pressure, which a narrow lobe between their centres would not have
         const Eigen::Index nx = 24, ny = has_narrow_lobe(region) ? 60 : nx;
         constexpr double least = 2e-6;
         const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
