@@ -423,6 +423,7 @@ TEST_CASE("profile_check: what cannot be a wheel is refused with the remedy", "[
          "left "
          "wheel: --wheel-mirror y"},
         {"from the flange's back", 1, 1, 70, 0, 1, 0.07, "y seems to begin at the flange's back: --tape-offset 0"},
+        {"from the flange's back, z up", 1, -1, 70, 0, 1, 0.07, "--tape-offset 0 --wheel-mirror z"},
         {"from the tape circle, offset 0", 1, 1, 0, 0, 1, 0, "y seems to begin at the tape circle: --tape-offset 0.07"},
         {"z from elsewhere", 1, 1, 0, 2.1, 1, 0.07,
          "z on the tape circle = 0.0021 m must lie above -0.006 m and below 0.002 m: move or cut its points, or "
