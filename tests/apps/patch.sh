@@ -35,6 +35,9 @@ check 'a table of pressures' '$status == "ok" &&
 printf 'q_over_a,load_ratio,a_ratio,b_ratio\n0,1,1,1\n4,1,1.5,0.75\n20,1,1.5,0.75\n' >load
 set -- $patch --n 6 --transient --from steady
 "$@" --lateral 0.1 --spin 0.2 --dq 0.2 --until 20 --load load --breathing >out
+check 'energy of a patch that changes its shape' '$status == "ok" &&
+    (NR > 2 || (E = $elastic_energy + $slip_work - $creep_work)) &&
+    ($elastic_energy + $slip_work - $creep_work - E) ^ 2 < (0.03 * $creep_work + 1e-3) ^ 2'
 force=$(cell lateral_force)
 "$@" --a-over-b 2 --lateral 0.1125 --spin 0.2386485 --dq 0.125 --until 10 >out
 [ "$(rows -v end="$force" 'END { print ($lateral_force / end - 1) ^ 2 < 1e-7 }' out)" = 1 ] ||
