@@ -55,20 +55,6 @@ spread() { awk -v from="$1" -v by="$2" -v count="$3" 'BEGIN {
     "$precision" --quantity friction $word --creepage-ratio 0.3 >out
     largest creepage_ratio "$programs/friction_study" $word --creepage-ratio 0.3
 }
-# a border of stick in the middle of both meshes passes for precision at one creepage alone
-"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing >out
-set_error=$(rows 'END { print sqrt($relative_error ^ 2) }' out)
-"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing --creepage-ratio 0.5 >out
-check 'a lucky creepage' "$set_error > 100 * sqrt(\$relative_error ^ 2) && \$worst_at == \"creepage_ratio=0.5\""
-
-# --- the error of a force is the distance as a vector of friction_study's from CONTACT's, extrapolated
-"$programs/friction_study" --kernel plane --n 40 --creepage-ratio 0.35355339059327373 \
-    --lateral-ratio 0.35355339059327373 >out
-distance=$(rows 'END { x = 0.54356; y = 0.40941
-    print sqrt((($force_ratio - x) ^ 2 + ($lateral_force_ratio - y) ^ 2) / (x ^ 2 + y ^ 2)) }' out)
-"$precision" --quantity combined_force --creepage-ratio 0.5 --angle 45 --n 40 --scheme cosine:collocation:0.5/0.5 \
-    --jobs 2 >out
-check 'the error of the force as a vector' "(\$relative_error - $distance) ^ 2 < 2e-5 ^ 2 && $distance > 5e-4"
 
 # --- shards add up to the whole, but for times and the front; --front leaves the whole as it is, and fills the columns
 # of shards; the cheapest schemes

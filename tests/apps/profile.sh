@@ -38,19 +38,12 @@ lateral_force 1e-3 1.3e-2
 spin_moment 2e-3 1e-2
 END
 
-# --- the same profiles as .prw and .prr, mirrored or not, on the left or not, give the same rows
+# --- the same profiles, mirrored or not, on the left or not, give the same rows
 profile="$profile --cant 0"
-points() { printf 'point.begin\n' && awk -F, "/^[-0-9]/ { $2 }" "$benchmark/$1.csv" && printf 'point.end\n'; }
-{
-    printf 'header.begin\n version = 1 ! flag\nheader.end\nspline.begin\n mirror.y = 1 ! 5\n inversion = 1\n'
-    printf ' units.len.f = 1000\n' && points wheel 'printf "%.17g\t%s\n", -$1, $2' && printf 'spline.end\n1 2 3\n'
-} >wheel.PRW
-points rail 'print $1, $2, 1' >rail.prr
 for f in wheel rail; do awk -F, '/^[-0-9]/ { printf "%.17g,%.17g\n", -$1, -$2 }' "$benchmark/$f.csv" >$f.txt; done
 at="--shift 0.002 --side both --length-unit mm"
 here="$profile $at --wheel $benchmark/wheel.csv --rail $benchmark/rail.csv"
 $here >one
-same $profile --shift 0.002 --side both --wheel wheel.PRW --rail rail.prr
 same $profile $at --wheel wheel.txt --wheel-mirror yz --rail rail.txt --rail-mirror yz
 same $here --left-wheel wheel.txt --left-wheel-mirror yz --left-rail rail.txt --left-rail-mirror yz
 

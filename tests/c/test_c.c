@@ -102,7 +102,6 @@ static void test_hertz(void) {
     printf("kalker %.17g %.17g %.17g %.17g %.17g\n", c[0], c[1], c[2], c[3], c[4]);
     expect(fabs(c[0] / 4.12 - 1) < 0.01 && fabs(c[1] / 3.67 - 1) < 0.01 && fabs(c[2] / 1.47 - 1) < 0.02,
            "Kalker's table at a/b = 1"); /* Kalker 1990, Appendix E: two decimals */
-    expect(rollbem_kalker(0.01, 0.28, 12, c) == ROLLBEM_OK && fabs(c[2] / 0.242 - 1) < 0.01, "a wide ellipse");
     expect(rollbem_kalker(50, 0.28, 12, c) != ROLLBEM_OK && c[0] > 0 && is_nan(c[4]), "what few elements do not give");
 }
 
@@ -337,7 +336,7 @@ static void test_null(const char *path) {
 static rollbem_contact_table *contacts_of_wheels;
 static double motion[11] = {2e-3, 1e-3, 20, -43.5, 0.01, 0, 0, 0.02, 8e4, 0.3, 0};
 
-/* Wheelsets by look-up: mirror images, balance, tangents, and what lies beyond the table. */
+/* Wheelsets by look-up: balance, tangents, and what lies beyond the table. */
 static void test_contact_table(const char *path, const char *creep_path) {
     double force[6], other[6], tangent[66], points[40], heat, height[5], roll[5];
     const double loads[2] = {8e4, 9e4};
@@ -383,12 +382,6 @@ static void test_contact_table(const char *path, const char *creep_path) {
            ROLLBEM_OK, "another pitch rate");
     motion[3] -= h;
     expect(fabs((other[0] - force[0]) / h / tangent[18] - 1) < 0.01, "a tangent by the pitch rate");
-    for (int i = 0; i < 11; ++i)
-        if (i == 0 || i == 1 || i == 4 || i == 6 || i == 7 || i == 10) motion[i] = -motion[i];
-    double reflected[sizeof tangent / sizeof tangent[0]];
-    expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, reflected, NULL,
-                                         NULL) == ROLLBEM_OK, "the mirror image");
-    for (int i = 0; i < 6; ++i) expect(other[i] == (i % 2 ? -force[i] : force[i]), "forces of the mirror image");
     motion[10] = NAN;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, tangent, NULL, NULL) ==
            ROLLBEM_OK && tangent[60] == 0, "without a roll");

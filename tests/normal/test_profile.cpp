@@ -166,7 +166,7 @@ TEST_CASE("profile: points must follow a curve", "[profiles]") {
 TEST_CASE("profile: the order of the points, motions and mirrors change no shape", "[profiles]") {
     const Profile exact = rail_60e1();
     const Profile reversed(exact.y().reverse(), exact.z().reverse());
-    const Profile moved = exact.moved(0.7, 0.01, -0.02), mirrored = exact.mirrored(), twice = mirrored.mirrored();
+    const Profile moved = exact.moved(0.7, 0.01, -0.02), mirrored = exact.mirrored();
     for (const double s : {0.01, 0.0233, 0.04, 0.07}) {
         CAPTURE(s);
         const Profile::Point at = exact.at(s), of_moved = moved.at(s), of_mirror = mirrored.at(exact.length() - s);
@@ -179,7 +179,6 @@ TEST_CASE("profile: the order of the points, motions and mirrors change no shape
         CHECK(of_mirror.z == Approx(at.z).margin(1e-15));
         CHECK(of_mirror.slope[0] == Approx(at.slope[0]));
         CHECK(of_mirror.slope[1] == Approx(-at.slope[1]).margin(1e-12));
-        CHECK(twice.at(s).z == Approx(at.z).margin(1e-15));
     }
     // a turn by more than 90 degrees keeps the order, too
     CHECK(exact.moved(3, 0, 0).at(0).y == Approx(std::cos(3) * exact.y()[0] - std::sin(3) * exact.z()[0]));
@@ -221,7 +220,7 @@ TEST_CASE("profile: smoothing keeps corners and arcs and takes noise away", "[pr
         return Profile(y, z);
     };
     const auto farthest = [](const Profile& one, const Profile& other) {
-        return std::sqrt(((one.y() - other.y()).square() + (one.z() - other.z()).square()).maxCoeff());
+        return ((one.y() - other.y()).square() + (one.z() - other.z()).square()).sqrt().maxCoeff();
     };
     const Profile corner = right_angle();
     const Profile smooth = noisy(corner).smoothed(8e-3);
@@ -232,10 +231,7 @@ TEST_CASE("profile: smoothing keeps corners and arcs and takes noise away", "[pr
     // radius
     const Profile rail = rail_60e1(0);
     CHECK(farthest(rail.smoothed(8e-3), rail) < 25e-6);
-    const auto bend = [](const Profile& profile, double s) {
-        const auto at = profile.at(s);
-        return std::hypot(at.bend[0], at.bend[1]);
-    };
+    const auto bend = [](const Profile& of, double s) { return std::hypot(of.at(s).bend[0], of.at(s).bend[1]); };
     const double middle = rail.length() / 2, gauge_corner = middle + 40e-3;
     CHECK(bend(rail, gauge_corner) == Approx(1 / 13e-3).epsilon(1e-3));
     CHECK(bend(rail.smoothed(8e-3), gauge_corner) == Approx(1 / 13e-3).epsilon(0.03));
@@ -248,15 +244,14 @@ TEST_CASE("profile: smoothing keeps corners and arcs and takes noise away", "[pr
 
 TEST_CASE("standard profiles: rails are as wide as their standards say, and their arcs touch", "[profiles]") {
     struct Rail {
-        Profile profile;
+        Profile (*canted)(double cant);
         double depth, width, joint_80, joint_13;  // mm
     };
-    const auto rail = GENERATE(as<int>(), 0, 1, 2);
-    const Rail of = rail == 0   ? Rail{rail_uic60(0), 14.3, 72.004, 10.5, 25.988}
-                    : rail == 1 ? Rail{rail_60e1(0), 14.3, 72, 10.228, 26.0265}
-                                : Rail{rail_54e1(0), 14.1, 70, 10.012, 24.8635};
-    CAPTURE(rail);
-    const Profile& profile = of.profile;
+    const Rail of = GENERATE(values<Rail>({{rail_uic60, 14.3, 72.004, 10.5, 25.988},
+                                           {rail_60e1, 14.3, 72, 10.228, 26.0265},
+                                           {rail_54e1, 14.1, 70, 10.012, 24.8635}}));
+    CAPTURE(of.width);
+    const Profile profile = of.canted(0);
     CHECK(profile.corners().empty());
     // both sides at the depth, and the slope and radius about each joint
     const auto length_at = [&](auto&& below) {

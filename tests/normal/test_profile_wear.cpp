@@ -1,5 +1,4 @@
-// rollbem/normal/profile_wear.hpp: worn profiles beside parallel curves and areas; alignment of
-// worn and moved ones.
+// rollbem/normal/profile_wear.hpp
 #include <array>
 #include <cmath>
 #include <utility>
@@ -42,10 +41,9 @@ TEST_CASE("Uniform depth gives the parallel curve", "[profile]") {
     // a rail's hill and a wheel's lose radius, hollows gain it; between the points, too
     for (const bool hill : {true, false}) {
         const Profile before = arc(0.02, 1, hill, 120);
-        const Profile after =
-            worn(before, Eigen::ArrayXd::Constant(before.size(), 2e-3), hill ? Use::rail : Use::wheel);
-        const Profile other =
-            worn(before, Eigen::ArrayXd::Constant(before.size(), 2e-3), hill ? Use::wheel : Use::rail);
+        const Eigen::ArrayXd depth = Eigen::ArrayXd::Constant(before.size(), 2e-3);
+        const Profile after = worn(before, depth, hill ? Use::rail : Use::wheel),
+                      other = worn(before, depth, hill ? Use::wheel : Use::rail);
         for (double s = 0; s < after.length(); s += 1e-4) {
             const Profile::Point p = after.at(s), q = other.at(s / after.length() * other.length());
             CHECK(std::abs(std::hypot(p.y, p.z) - 0.018) < 1e-9);
@@ -55,18 +53,12 @@ TEST_CASE("Uniform depth gives the parallel curve", "[profile]") {
 }
 
 TEST_CASE("Corners stay where both sides meet", "[profile]") {
-    Eigen::ArrayXd y(61), z(61);
-    for (Eigen::Index i = 0; i <= 60; ++i) {
-        y[i] = 1e-3 * double(i - 30);
-        z[i] = std::abs(y[i]);  // a roof whose ridge points up, as a rail's
-    }
-    const Profile roof(y, z);
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(61, -0.03, 0.03);
+    const Profile roof(y, y.abs());  // whose ridge points up, as a rail's
     REQUIRE(roof.corners() == std::vector<Eigen::Index>{30});
     const Profile after = worn(roof, Eigen::ArrayXd::Constant(61, 1e-3), Use::rail);
     CHECK(after.corners() == roof.corners());
-    for (Eigen::Index i = 0; i < 61; ++i) {
-        CHECK(after.z()[i] == Approx(std::abs(after.y()[i]) + std::sqrt(2) * 1e-3).margin(1e-12));
-    }
+    CHECK((after.z() - after.y().abs() - std::sqrt(2) * 1e-3).abs().maxCoeff() < 1e-12);
     CHECK(std::abs(after.y()[30]) < 1e-15);
 }
 
@@ -147,26 +139,25 @@ TEST_CASE("Sizes of flanges and heads", "[profile]") {
     CHECK(std::isnan(rail_wear(rail, rail, 0.1).side));
 }
 
-/// S1002, hollow by 2 mm, also where it should not be.
-Profile hollow_wheel() {
-    const Profile wheel = s1002();
-    return worn(
-        wheel,
-        (2e-3 * (-(wheel.y() / 14e-3).pow(8)).exp() + 2e-3 * (-((wheel.y() - 48e-3) / 4e-3).pow(8)).exp()).eval(),
-        Use::wheel);
+/// Whether a worn S1002, moved by these, comes back within `most` [m], and the motion that is found.
+Profile::Alignment check_return(const Profile& hollow, double angle, double dy, double dz, double most) {
+    const Profile moved = hollow.moved(angle, dy, dz);
+    const Profile::Alignment found = align(moved, s1002(), unworn_parts(s1002(), Use::wheel), angle != 0);
+    const Profile back = moved.moved(found.angle, found.dy, found.dz);
+    CAPTURE(angle, dy, found.angle, found.dy, found.dz, found.residual, found.share);
+    CHECK((back.y() - hollow.y()).abs().maxCoeff() < most);
+    CHECK((back.z() - hollow.z()).abs().maxCoeff() < most);
+    return found;
 }
 
 TEST_CASE("A worn wheel comes back to where it was", "[profile]") {
-    const Profile wheel = s1002(), hollow = hollow_wheel();
-    const auto parts = unworn_parts(wheel, Use::wheel);
+    const Profile wheel = s1002();
+    const Eigen::ArrayXd &y = wheel.y(),
+                         tread = (-(y / 14e-3).pow(8)).exp() + (-((y - 48e-3) / 4e-3).pow(8)).exp();  // and beside it
+    const Profile hollow = worn(wheel, 2e-3 * tread, Use::wheel);
     for (const auto& [angle, dy, dz] :
          {std::array{0.0, 0.0, 0.0}, {0.0, 3e-3, -1e-3}, {0.0, 0.07, 0.0}, {5e-3, -2e-3, 1e-3}}) {
-        const bool turns = angle != 0;
-        const Profile::Alignment found = align(hollow.moved(angle, dy, dz), wheel, parts, turns);
-        const Profile back = hollow.moved(angle, dy, dz).moved(found.angle, found.dy, found.dz);
-        CAPTURE(angle, dy, found.angle, found.dy, found.dz, found.residual, found.share);
-        CHECK((back.y() - hollow.y()).abs().maxCoeff() < 2e-6);
-        CHECK((back.z() - hollow.z()).abs().maxCoeff() < 2e-6);
+        const Profile::Alignment found = check_return(hollow, angle, dy, dz, 2e-6);
         CHECK(found.residual < 2e-6);
         CHECK(found.share < 0.9);
     }
@@ -174,18 +165,11 @@ TEST_CASE("A worn wheel comes back to where it was", "[profile]") {
 
 TEST_CASE("More than half of a tread may be worn unevenly", "[profile]") {
     const Profile wheel = s1002();
-    const auto parts = unworn_parts(wheel, Use::wheel);
-    const double middle = parts[1][0] + 0.3 * (parts[1][1] - parts[1][0]);  // of wear over three fifths of the part
-    const Profile hollow =
-        worn(wheel, (2e-3 * (-((wheel.y() - middle) / (0.26 * (parts[1][1] - parts[1][0]))).square()).exp()).eval(),
-             Use::wheel);
-    for (const bool turns : {false, true}) {
-        const Profile::Alignment found = align(hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3), wheel, parts, turns);
-        const Profile back = hollow.moved(turns ? 4e-3 : 0, 2e-3, -1e-3).moved(found.angle, found.dy, found.dz);
-        CAPTURE(turns, found.angle, found.dy, found.dz, found.residual, found.share);
-        CHECK((back.y() - hollow.y()).abs().maxCoeff() < 2e-5);
-        CHECK((back.z() - hollow.z()).abs().maxCoeff() < 2e-5);
-    }
+    const auto [from, to] = unworn_parts(wheel, Use::wheel)[1];
+    const double middle = from + 0.3 * (to - from);  // of wear over three fifths of the part
+    const Eigen::ArrayXd tread = (-((wheel.y() - middle) / (0.26 * (to - from))).square()).exp();
+    const Profile hollow = worn(wheel, 2e-3 * tread, Use::wheel);
+    for (const double angle : {0.0, 4e-3}) check_return(hollow, angle, 2e-3, -1e-3, 2e-5);
 }
 
 TEST_CASE("A worn rail comes back, and what does not fix it is refused", "[profile]") {
@@ -195,15 +179,12 @@ TEST_CASE("A worn rail comes back, and what does not fix it is refused", "[profi
     const Profile::Alignment found = align(head.moved(0, 2e-3, -1e-3), rail, parts);
     CHECK(found.dy == Approx(-2e-3).margin(1e-7));
     CHECK(found.dz == Approx(1e-3).margin(2e-6));
-    CHECK(refusal([&] {
-              align(rail, rail, {{-0.005, 0.005}});
-          }).starts_with("align: least share of the parts' normals"));
-    CHECK(refusal([&] {
-              align(rail, rail, {{-0.05, -0.04}, {0, 0.01}});
-          }).starts_with("align: part y = -0.05 to -0.04"));
-    CHECK(refusal([&] {
-              align(rail, rail, {{0.01, -0.01}});
-          }) == "align: end of a part = -0.01 must lie above its begin");
+    const auto refused = [&](const std::vector<std::array<double, 2>>& fixed) {
+        return refusal([&] { align(rail, rail, fixed); });
+    };
+    CHECK(refused({{-0.005, 0.005}}).starts_with("align: least share of the parts' normals"));
+    CHECK(refused({{-0.05, -0.04}, {0, 0.01}}).starts_with("align: part y = -0.05 to -0.04"));
+    CHECK(refused({{0.01, -0.01}}) == "align: end of a part = -0.01 must lie above its begin");
     CHECK(
         refusal([&] { unworn_parts(rail_60e1(0), Use::rail); }).starts_with("align: reference = without sides 20 mm"));
 }

@@ -17,17 +17,15 @@ namespace {
 
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
+using Difference = WheelsetOnTrack::RadiusDifference;
 
-constexpr double rail_y = 0.75, flange_back = 1.36, radius = 0.46;
+constexpr double rail_y = 0.75, radius = 0.46;
 
 /// A piece z(y) over |y| <= half.
 template <class Height>
 Profile piece(double half, const Height& height) {
-    constexpr Eigen::Index n = 401;
-    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(n, -half, half);
-    Eigen::ArrayXd z(n);
-    for (Eigen::Index i = 0; i < n; ++i) z[i] = height(y[i]);
-    return {y, z, Profile::Use::piece};
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(401, -half, half);
+    return {y, y.unaryExpr(height), Profile::Use::piece};
 }
 
 /// An arc about a centre below it; its lowest point in z, which is down, at (apex, 0).
@@ -38,19 +36,15 @@ Profile cone(double gamma) {
     return piece(0.06, [=](double y) { return -gamma * y; });
 }
 
-WheelOnRail on_track(const Profile& wheel, const Profile& rail, double r0 = radius) {
-    WheelOnRail::Dimensions dimensions{.flange_back = flange_back, .radius = r0};
-    dimensions.rail_origin = WheelOnRail::Dimensions::Origin{rail_y, 0};
-    return {wheel, rail, dimensions};
+WheelOnRail on_track(const Profile& wheel, const RailSurface& rail, double r0 = radius) {
+    return {wheel, rail, {.radius = r0, .rail_origin = WheelOnRail::Dimensions::Origin{rail_y, 0}}};
 }
 
 /// Delta r by a formula over |y| <= 10 mm.
-template <class Difference>
-WheelsetOnTrack::RadiusDifference formula(const Difference& difference, Eigen::Index n = 20001) {
-    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(n, -0.01, 0.01);
-    Eigen::ArrayXd values(n);
-    for (Eigen::Index i = 0; i < n; ++i) values[i] = difference(y[i]);
-    return {y, values, 1.5, radius};
+template <class Function>
+Difference formula(const Function& function) {
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(20001, -0.01, 0.01);
+    return {y, y.unaryExpr(function), 1.5, radius};
 }
 
 TEST_CASE("equivalent_conicity: cones on round rails have their own conicity and Klingel's wave", "[conicity]") {
@@ -67,7 +61,7 @@ TEST_CASE("equivalent_conicity: cones on round rails have their own conicity and
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
     for (const double amplitude : {1e-4, 1e-3, 3e-3, 8e-3}) {
-        const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, amplitude);
+        const Difference::Conicity wave = equivalent_conicity(*radii, amplitude);
         CAPTURE(amplitude, name(wave.status));
         REQUIRE(wave.status == Status::ok);
         CHECK(std::abs(wave.tan_gamma / gamma - 1) < 1e-4);
@@ -97,7 +91,7 @@ TEST_CASE("equivalent_conicity: hollow round wheels on round rails turn as their
     }
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, 1e-4);
+    const Difference::Conicity wave = equivalent_conicity(*radii, 1e-4);
     REQUIRE(wave.status == Status::ok);
     const double expected = R_w / (R_w - R_r) * std::tan(-tilt(0));
     CHECK(std::abs(wave.tan_gamma / expected - 1) < 1e-5);
@@ -110,7 +104,7 @@ TEST_CASE("equivalent_conicity: a smaller wheel shifts the wave, not the conicit
     const WheelsetOnTrack wheelset(on_track(cone(gamma), rail, radius - less), on_track(cone(gamma), rail));
     const auto radii = radius_difference(wheelset);
     REQUIRE(radii);
-    const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(*radii, 3e-3);
+    const Difference::Conicity wave = equivalent_conicity(*radii, 3e-3);
     REQUIRE(wave.status == Status::ok);
     // the right one is larger: rolling straight, the wheelset stands to the left
     CHECK(std::abs((wave.y_min + wave.y_max) / 2 + less / (2 * gamma)) < 1e-7);
@@ -123,8 +117,7 @@ TEST_CASE("equivalent_conicity: a mirrored wheelset has the same wave, also wher
         return equivalent_conicity(radius_difference(WheelsetOnTrack(one, two)).value(), 3e-3);
     };
     // Delta r passes 0 where the contact goes over to another place of the rail
-    const WheelsetOnTrack::RadiusDifference::Conicity smaller = wave(radius - 1e-4, radius),
-                                                      larger = wave(radius, radius - 1e-4);
+    const Difference::Conicity smaller = wave(radius - 1e-4, radius), larger = wave(radius, radius - 1e-4);
     REQUIRE(smaller.status == Status::ok);
     CHECK(std::abs(smaller.wavelength / larger.wavelength - 1) < 1e-7);
     CHECK(std::abs(smaller.y_min + larger.y_max) < 1e-9);
@@ -134,8 +127,7 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
     const double gamma = 0.1, A = 3e-3;
     std::vector<double> inverse, apart;
     for (const double cubic : {2e3, -5e2, 5e3}) {
-        const WheelsetOnTrack::RadiusDifference radii =
-            formula([=](double y) { return 2 * (gamma + cubic * y * y) * y; });
+        const Difference radii = formula([=](double y) { return 2 * (gamma + cubic * y * y) * y; });
         for (const double amplitude : {A, A / 2, A / 4}) {
             // of a Duffing oscillator, by the arithmetic-geometric mean of both terms of the elliptic integral
             double a = std::sqrt(gamma + cubic * amplitude * amplitude / 2),
@@ -145,7 +137,7 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
                 b = std::sqrt(a * b);
                 a = mean;
             }
-            const WheelsetOnTrack::RadiusDifference::Conicity wave = equivalent_conicity(radii, amplitude);
+            const Difference::Conicity wave = equivalent_conicity(radii, amplitude);
             CAPTURE(cubic, amplitude, wave.tan_gamma, a * a);
             REQUIRE(wave.status == Status::ok);
             CHECK(std::abs(wave.tan_gamma / (a * a) - 1) < 1e-6);
@@ -163,35 +155,32 @@ TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and n
 
     // the harmonic wave of k y + c y^2 is balanced about m, k m + c m^2 + c A^2/2 = 0
     const double k = 0.2, c = 10, m = (std::sqrt(k * k - 2 * c * c * A * A) - k) / (2 * c);
-    const WheelsetOnTrack::RadiusDifference::Conicity bent =
+    const Difference::Conicity bent =
         equivalent_conicity(formula([=](double y) { return 2 * (k * y + c * y * y); }), A);
     CHECK(std::abs(bent.tan_gamma_linear / (k + 2 * c * m) - 1) < 1e-6);
 
     const double step = 1e-3;
-    const WheelsetOnTrack::RadiusDifference::Conicity of_step =
-        equivalent_conicity(formula([=](double y) { return y < 0   ? -step
-                                                           : y > 0 ? step
-                                                                   : 0; }), A);
+    const Difference::Conicity of_step =
+        equivalent_conicity(formula([=](double y) { return y == 0 ? 0 : std::copysign(step, y); }), A);
     CHECK(std::abs(of_step.tan_gamma * 16 * A / (std::numbers::pi * std::numbers::pi * step) - 1) < 1e-3);
     CHECK(std::abs(of_step.tan_gamma_linear * std::numbers::pi * A / (2 * step) - 1) < 1e-3);
 
-    const WheelsetOnTrack::RadiusDifference::Conicity cylinder =
-        equivalent_conicity(formula([](double) { return 0.0; }), A);
+    const Difference::Conicity cylinder = equivalent_conicity(formula([](double) { return 0.0; }), A);
     CHECK((cylinder.status == Status::ok && cylinder.tan_gamma == 0 && std::isinf(cylinder.wavelength)));
 }
 
 TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
-    const WheelsetOnTrack::RadiusDifference cone_like = formula([](double y) { return 0.1 * y; });
+    const Difference cone_like = formula([](double y) { return 0.1 * y; });
     CHECK(equivalent_conicity(cone_like, 9.9e-3).status == Status::ok);
     CHECK(equivalent_conicity(cone_like, 10.1e-3).status == Status::beyond_clearance);
     // small waves do not pass an equilibrium that repels them, wide ones do
-    const WheelsetOnTrack::RadiusDifference falling = formula([](double y) { return 0.2 * y * (y * y / 9e-6 - 1); });
+    const Difference falling = formula([](double y) { return 0.2 * y * (y * y / 9e-6 - 1); });
     CHECK(equivalent_conicity(falling, 2e-3).status == Status::unstable);
     CHECK(equivalent_conicity(falling, 6e-3).status == Status::ok);
     CHECK(!conicity_nonlinearity(falling));
     CHECK(equivalent_conicity(formula([](double y) { return -0.1 * y; }), 3e-3).status == Status::unstable);
     // aside, the wave has no room for the amplitude that it has in the middle
-    const WheelsetOnTrack::RadiusDifference aside = formula([](double y) { return 0.1 * (y - 4e-3); });
+    const Difference aside = formula([](double y) { return 0.1 * (y - 4e-3); });
     CHECK(equivalent_conicity(aside, 5e-3).status == Status::ok);
     CHECK(equivalent_conicity(aside, 7e-3).status == Status::beyond_clearance);
 
@@ -225,15 +214,9 @@ TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
         piece(0.06, [](double across) { return -0.05 * across - 2 * std::max(across - 0.04, 0.0); });
     CHECK(rolling_radii(WheelsetOnTrack(on_track(chamfered, arc(0.03, 0.3))), 0).status == Status::ok);
     CHECK_THAT(refusal([&] { radius_difference(real, 1); }), ContainsSubstring("step = 1 must lie in [1e-6, 1e-3]"));
-    CHECK_THAT(refusal([&] {
-                   WheelsetOnTrack::RadiusDifference(Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), 1.5, radius);
-               }),
+    CHECK_THAT(refusal([&] { Difference(Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), 1.5, radius); }),
                ContainsSubstring("lateral = 0 must exceed the one before it"));
-    const WheelOnRail on_roller = [] {
-        WheelOnRail::Dimensions dimensions;
-        dimensions.rail_origin = WheelOnRail::Dimensions::Origin{rail_y, 0};
-        return WheelOnRail(cone(0.05), RailSurface::roller(arc(0.03, 0.3), 0.5), dimensions);
-    }();
+    const WheelOnRail on_roller = on_track(cone(0.05), RailSurface::roller(arc(0.03, 0.3), 0.5));
     CHECK_THAT(refusal([&] { rigid_contact(on_roller, {}); }), ContainsSubstring("a round wheel on a straight rail"));
 }
 
