@@ -682,6 +682,10 @@ TEST_CASE("profile_file: sections that cannot be meant are refused with the line
          "a.slcs: Sections: length of a feature of section 1 = 0.004"},
     }));
     CHECK_THAT(refused("a.slcs", scene.text), ContainsSubstring(scene.message));
+    folder().write("up.ban", lines(rail_60e1(), 1, -1));
+    folder().write("down.ban", lines(rail_60e1()));
+    CHECK_THAT(refused("a.slcs", "0 1\n2\n0\n1\n0 'up.ban'\n1 'down.ban'\n", Use::rail),
+               ContainsSubstring("line 6 (1 'down.ban'): sections with z in one direction are expected"));
     CHECK_THAT(refused("a.slcs", "", Use::wheel), ContainsSubstring("sections along the track are of a rail"));
     CHECK_THAT(refused("a.slcw", "", Use::rail), ContainsSubstring("sections round the wheel are of a wheel"));
 }
