@@ -30,6 +30,7 @@ using State = FrictionState;
 using Step = FrictionStep;
 using Motion = RigidMotion<Creepage>;
 using Load = NormalLoad;
+using RollingStep = FrictionModel::RollingStep;
 using Workspace = FrictionModel::Workspace;
 using same_bits::same;
 
@@ -46,7 +47,6 @@ struct Setup {
     bool strip = false;   // else the plane kernel
     bool turned = false;  // slip
     bool with_tangents = true;
-    double stiffer = 1;  // G of the system over its own
     StabilityVerdict checks = unchecked;
     Law falling = law;
     double constant = law.mu_0;
@@ -68,7 +68,6 @@ struct Setup {
     ElementSystem<double> system(bool lateral, bool steady = false) const {
         const auto own =
             steady ? steady_system(mesh, scheme, kernel(lateral)) : rolling_system(mesh, scheme, kernel(lateral));
-        if (stiffer != 1) return {stiffer * own.G(), own.G_prime(), own.weights()};
         return turned ? own : support::unturned(own);
     }
 };
@@ -77,10 +76,8 @@ struct Setup {
 FrictionModel make(const Setup& setup, bool steady = false);
 
 /// A step under a load, or, if it is null, under the load of the state.
-inline Step advance(const FrictionModel& model, const State& from, const Travel& travel, const Motion& motion,
-                    const Load* load, State& to, Workspace& workspace) {
-    return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)
-                           : model.advance(from, {travel, motion, *load}, to, workspace);
+inline RollingStep rolling_step(const Travel& travel, const Motion& motion, const Load* load) {
+    return load == nullptr ? RollingStep{travel, motion} : RollingStep{travel, motion, *load};
 }
 
 /// A model with its state and workspace. Distances are in a, and the speed of rolling is `speed`; what takes no way
@@ -98,11 +95,10 @@ struct Ride {
     static Travel travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
     /// Trials, which do not change `now`.
     Step try_steady(const Creepage& creepage, const Load* load = nullptr) {
-        return load == nullptr ? model.steady(now, {Travel::at_speed(speed), creepage}, next, own)
-                               : model.steady(now, {Travel::at_speed(speed), creepage, *load}, next, own);
+        return model.steady(now, rolling_step(Travel::at_speed(speed), creepage, load), next, own);
     }
     Step try_step(double dq, const Motion& motion, const Load* load = nullptr) {
-        return advance(model, now, travel(dq), motion, load, next, own);
+        return model.advance(now, rolling_step(travel(dq), motion, load), next, own);
     }
     void accept() { std::swap(now, next); }
     Step steady(const Creepage& creepage, const Load* load = nullptr) {
