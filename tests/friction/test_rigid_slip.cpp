@@ -22,14 +22,6 @@ constexpr double G = 8e10, a = 5e-3, mu = 0.3, V = 20;
 constexpr Travel travel{0.2 * a, 0.2 * a / V};
 constexpr Creepage some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
 
-/// A patch with a constant coefficient or one that falls with slip.
-FrictionModel patch(const Friction::Law& law, Integrator integrator = Integrator::sdirk2) {
-    const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
-    const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
-    return {contact, rolling_system(mesh, chebyshev, HalfSpace<double>(0.28)), unchecked,
-            Friction{law, hertz_pressures(contact, mesh, 6e4)}, integrator};
-}
-
 /// The rigid slip of a creepage at the points of the equations.
 Vectors rows_of(const Elements<double>& elements, const Creepage& creepage) {
     Vectors rows(elements.size(), 2);
@@ -46,12 +38,12 @@ double difference(const TangentialForce& one, const TangentialForce& two) {
 TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
     const Friction::Law law = GENERATE(0, 1) == 0 ? Friction::Law(mu) : Friction::Law(ExponentialFall{mu, 0.2, 0.05});
     const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
-    const auto elements = patch_mesh(contact, 6, 5);
-    const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();
-    const Vectors first = rows_of(places, some), last = rows_of(places, other);
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
+    const ElementSystem system = rolling_system(mesh, chebyshev, HalfSpace<double>(0.28));
+    const Vectors first = rows_of(system.elements(), some), last = rows_of(system.elements(), other);
     const Vectors shift = first * travel.dq, half_last = last / 2;
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const auto model = patch(law, integrator);
+        const FrictionModel model(contact, system, unchecked, {law, hertz_pressures(contact, mesh, 6e4)}, integrator);
         auto workspace = model.workspace(), by_rows = model.workspace();
         auto now = model.at_rest(), next = now, following = now;
         const auto same = [&](const FrictionStep& expected, const FrictionStep& step) {
@@ -113,10 +105,9 @@ TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
     const Line line;
     const Vectors rows = line.rows;
     const auto own = [&](const auto& model, const auto& motion) {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        REQUIRE(model.steady(now, {Travel::at_speed(1), motion}, next, workspace).status == Status::ok);
-        return model.advance(next, {Travel{0.1, 1}, motion}, now, workspace);
+        Run run(model);
+        REQUIRE(run.steady({Travel::at_speed(1), motion}).status == Status::ok);
+        return run.advance({Travel{0.1, 1}, motion});
     };
     const Vectors crossed = rows.rowwise().reverse();
     const auto along = own(line.one(0), Motion(0.2, 0).with_rows(rows));
