@@ -4,13 +4,10 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/line.hpp>
-
-#include "falling_scene.hpp"
+#include "friction/any_model.hpp"
 #include "support/catch.hpp"
 
-namespace falling_tests {
+namespace any_model {
 namespace {
 
 TEST_CASE("The law falls from mu_0 at rest to mu_k, halfway at its half velocity; memories fade", "[friction]") {
@@ -18,6 +15,7 @@ TEST_CASE("The law falls from mu_0 at rest to mu_k, halfway at its half velocity
     CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
     CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
     CHECK(falling(0.6) == Approx(0.1 + 0.2 / 8).epsilon(1e-14));
+    using Memory = Friction::Memory;
     const Memory memory{.distance = 2e-6, .least_velocity = 1e-3};
     CHECK(memory.kept(0.1, 1e-5) == Approx(2.0 / 3).epsilon(1e-14));
     CHECK(memory.kept(0, 2e-3) == Approx(0.5).epsilon(1e-14));
@@ -33,8 +31,8 @@ constexpr double steady_forces[3][5] = {{0.34140, 0.59053, 0.80649, 0.68687, 0.6
 
 TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[friction]") {
     for (int k = 0; k < 3; ++k) {
-        const Scene scene(uniform_mesh<double>(160), distances[k]);
-        const FrictionModel steady = scene.steady();
+        const FrictionModel steady =
+            make({.falls = true, .distance = distances[k], .mesh = uniform_mesh<double>(160), .strip = true}, true);
         const State rest = steady.at_rest();
         Run run(steady);
         for (int j = 0; j < 5; ++j) {
@@ -42,7 +40,7 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
             const Step step = run.steady({Travel::at_speed(speed), Creepage{creepages[j]}});
             CAPTURE(distances[k], creepages[j]);
             CHECK(step.status == Status::ok);
-            CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
+            CHECK(std::abs(ratios(step)[0] - steady_forces[k][j]) < 6e-6);
             CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
         }
     }
@@ -51,16 +49,18 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
 TEST_CASE("With little memory, the force oscillates at the peak of the creep curve", "[friction]") {
     // a steady solution exists, but a run from rest does not reach it: the force drops within one step, however short,
     // and rises slowly again, with a period that tends to 4.1 or 4.2 from above
-    const Scene scene(cosine_mesh<double>(80), 2e-6);
-    const FrictionModel model = scene.transient(Integrator::implicit_euler);
-    Run run(model);
+    Ride ride({.falls = true,
+               .distance = 2e-6,
+               .integrator = Integrator::implicit_euler,
+               .mesh = cosine_mesh<double>(80),
+               .strip = true});
     const double dq = 0.0125;
     double last = 0, highest = 0, lowest = 1;
     std::vector<double> falls;
     for (int k = 1; k * dq < 24; ++k) {
-        const Step step = run.advance({{dq * a, dq * a / speed}, Creepage{2e-3}});
+        const Step step = ride.step(dq, Creepage{2e-3});
         REQUIRE(step.status == Status::ok);
-        const double force = force_ratio(step);
+        const double force = ratios(step)[0];
         if (last - force > 0.1) {
             falls.push_back(k * dq);
             highest = std::max(highest, last);
@@ -77,32 +77,29 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
 }
 
 TEST_CASE("Tractions that jump within a step and return release the energy of both jumps", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20));
-    const FrictionModel model = scene.transient();
-    Run run(model);
-    const double dq = 0.1 * a, fast = 10;  // all elements slide at mu_k, in the first stage of the last step backwards
-    const Travel travel{dq, dq / speed};
-    for (int k = 0; k < 3; ++k) REQUIRE(run.advance({travel, Creepage{fast}}).status == Status::ok);
-    State jump = run.now();
-    const Step step = run.advance({travel, Motion::linear({-10 * fast}, {fast})});
+    Ride ride({.falls = true, .strip = true});
+    const double fast = 10;  // all elements slide at mu_k, in the first stage of the last step backwards
+    for (int k = 0; k < 3; ++k) REQUIRE(ride.step(0.1, Creepage{fast}).status == Status::ok);
+    State jump = ride.now;
+    const Step step = ride.step(0.1, Motion::linear({-10 * fast}, {fast}));
     REQUIRE(step.status == Status::ok);
-    CHECK((run.now().traction - jump.traction).norm() < 1e-12 * jump.traction.norm());
+    CHECK((ride.now.traction - jump.traction).norm() < 1e-12 * jump.traction.norm());
     jump.traction *= -2;
     const double ratio = 1 + std::numbers::sqrt2;  // weight of the first of two stages
-    CHECK(step.jump_work == Approx(2 * ratio * model.elastic_energy(jump)).epsilon(1e-10));
+    CHECK(step.jump_work == Approx(2 * ratio * ride.model.elastic_energy(jump)).epsilon(1e-10));
 }
 
 TEST_CASE("A memory needs the points of the equations", "[friction]") {
-    Scene scene(cosine_mesh<double>(10), 1e-6);
-    const ElementSystem<double> system = scene.system();
+    const Setup setup;
+    const ElementSystem<double> system = setup.system(false);
     const ElementSystem<double> pointless(system.G(), system.G_prime(), system.weights());
-    const auto one = [&] { FrictionModel(scene.contact, pointless, unchecked, scene.friction()); };
-    const char* words =
-        "FrictionModel: distance of the memory = 1e-06 must be 0 for a system that does not know the points of its "
-        "equations";
-    CHECK_THROWS_WITH(one(), words);
-    scene.distance = 0;
-    CHECK_NOTHROW(one());
+    const auto with_memory = [&](double distance) {
+        FrictionModel(setup.contact(), pointless, unchecked, {law, setup.pressure(), {distance, least_velocity}});
+    };
+    CHECK_THROWS_WITH(with_memory(1e-6),
+                      "FrictionModel: distance of the memory = 1e-06 must be 0 for a system that does not know the "
+                      "points of its equations");
+    CHECK_NOTHROW(with_memory(0));
 }
 
 TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
@@ -110,8 +107,8 @@ TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
         double operator()(double v) const { return std::min(0.3, v); }
         double operator()(double) { return NAN; }
     } rising{};
-    const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel model(scene.contact, scene.system(), unchecked, Friction{rising, scene.pressure()},
+    const Setup setup{.mesh = cosine_mesh<double>(40), .strip = true};
+    const FrictionModel model(setup.contact(), setup.system(false), unchecked, Friction{rising, setup.pressure()},
                               Integrator::implicit_euler);
     Run run(model);
     REQUIRE(run.steady({Travel::at_speed(speed), Creepage{5e-3}}).status == Status::ok);
@@ -123,4 +120,4 @@ TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
 }
 
 }  // namespace
-}  // namespace falling_tests
+}  // namespace any_model
