@@ -124,17 +124,6 @@ TEST_CASE("Carter's mean traction is accurate on the smallest elements of a cosi
     }
 }
 
-TEMPLATE_TEST_CASE("Carter's solution holds in every scalar type", "[carter]", float, double, long double) {
-    using Scalar = TestType;
-    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-    const Scalar nu = Scalar(0.25);
-    CHECK(std::abs(carter_traction(Scalar(28) / 100, nu) + Scalar(0.5)) < 4 * eps);  // sqrt(0.72/1.28) = 3/4
-    const Scalar halves = mean_between(Scalar(-1), Scalar(0.5), nu) * Scalar(1.5) +
-                          mean_between(Scalar(0.5), Scalar(1), nu) * Scalar(0.5);
-    CHECK(std::abs(halves / steady_c11(nu) + 1) < 8 * eps);
-    CHECK(std::abs(plane_lambda(nu, Scalar(0.25)) - Scalar(1) / 3) < 2 * eps);
-}
-
 TEST_CASE("Carter's friction solution sticks, slips and carries its force", "[friction]") {
     for (const double delta : {-0.7, 0.1, 0.5, 0.9}) {
         const double border = carter_stick_border(delta);
@@ -223,9 +212,14 @@ TEST_CASE("The inverse of Cattaneo's shift is accurate over 300 orders of magnit
     CHECK(cattaneo_force_ratio(0.0, 0.25, 10.0) == 0);
 }
 
-TEMPLATE_TEST_CASE("Closed forms of friction hold in every scalar type", "[friction]", float, double, long double) {
+TEMPLATE_TEST_CASE("Closed forms hold in every scalar type", "[carter][friction]", float, double, long double) {
     using Scalar = TestType;
-    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon(), nu = Scalar(0.25);
+    CHECK(std::abs(carter_traction(Scalar(28) / 100, nu) + Scalar(0.5)) < 4 * eps);  // sqrt(0.72/1.28) = 3/4
+    const Scalar halves = mean_between(Scalar(-1), Scalar(0.5), nu) * Scalar(1.5) +
+                          mean_between(Scalar(0.5), Scalar(1), nu) * Scalar(0.5);
+    CHECK(std::abs(halves / steady_c11(nu) + 1) < 8 * eps);
+    CHECK(std::abs(plane_lambda(nu, Scalar(0.25)) - Scalar(1) / 3) < 2 * eps);
     CHECK(std::abs(carter_force_ratio(Scalar(0.5)) - Scalar(0.75)) <= eps);
     CHECK(std::abs(cattaneo_stick_half_length(Scalar(0.75)) - Scalar(0.5)) <= eps);
     CHECK(std::abs(cattaneo_traction(Scalar(0), Scalar(0.75)) + Scalar(0.5)) <= eps);

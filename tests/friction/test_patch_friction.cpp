@@ -90,13 +90,6 @@ FrictionStep solve(const FrictionModel& model, const Creepage& creepage) {
     return Run(model).steady({.motion = creepage});
 }
 
-/// What the rigid bodies do on the contact per distance rolled [J/m].
-double creep_work(const Creepage& creepage, const TangentialForce& force) {
-    return -(creepage.longitudinal * force.longitudinal + creepage.lateral * force.lateral +
-             creepage.spin * force.moment);
-}
-
-
 }  // namespace
 
 TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
@@ -217,7 +210,9 @@ TEST_CASE("patch_friction: slip work is the work of the creepages") {
         const Scene scene(5e-3, 5e-3, n, n);
         const Creepage creepage = scene.creepage(limit);
         const FrictionStep step = solve(scene.steady(), creepage);
-        return step.slip_work / creep_work(creepage, step.force) - 1;
+        const double work = -creepage.longitudinal * step.force.longitudinal - creepage.lateral * step.force.lateral -
+                            creepage.spin * step.force.moment;  // of the rigid bodies, per distance rolled [J/m]
+        return step.slip_work / work - 1;
     };
     // of second order; measured with another program
     for (const auto& [which, at_8, at_12] :

@@ -107,7 +107,8 @@ TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
     // the half of both directions without slip across
     Vectors alone = rows;
     alone.col(1).setZero();
-    CHECK(force(2, false, Motion(creeps, 0).with_rows(alone)).longitudinal == Approx(along.longitudinal).epsilon(1e-12));
+    const TangentialForce both = force(2, false, Motion(creeps, 0).with_rows(alone));
+    CHECK(both.longitudinal == Approx(along.longitudinal).epsilon(1e-12));
 }
 
 TEST_CASE("Slip by rows of another number, or not finite, is refused", "[friction]") {

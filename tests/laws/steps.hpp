@@ -267,23 +267,19 @@ struct Body {
             const PatchContact contact(
                 {.half_length = a_0, .half_width = half_width(), .shear_modulus = G, .poisson_ratio = nu});
             const Friction of = friction(hertz_pressures(contact, patch_mesh(contact, 4, 3), load()));
-            if (by == By::alone) {
-                return {contact, steady_system(patch_mesh(contact, 4, 3), chebyshev, HalfSpace<double>(nu)), of};
-            }
-            return {contact, shapes().system(a_over_b), unchecked, of, integrator};
+            if (by != By::alone) return {contact, shapes().system(a_over_b), unchecked, of, integrator};
+            return {contact, steady_system(patch_mesh(contact, 4, 3), chebyshev, HalfSpace<double>(nu)), of};
         }
         const Contact contact({.half_length = a_0, .half_width = 10 * a_0, .shear_modulus = G, .poisson_ratio = nu});
         const Mesh<double> mesh = cosine_mesh(8);
         const Friction of = friction(peak * mean_hertz_pressure(mesh));
-        const auto x = PlaneKernel<double>::longitudinal(contact), y = PlaneKernel<double>::lateral(contact);
-        if (by == By::alone) {
-            const auto along = steady_system(mesh, chebyshev, x);
-            if (what == Rolling::one) return {contact, along, of};
-            return {contact, ElementSystem(along, steady_system(mesh, chebyshev, y)), of};
-        }
-        const auto along = rolling_system(mesh, chebyshev, x);
+        const auto system = [&](const PlaneKernel<double>& kernel) {
+            return by == By::alone ? steady_system(mesh, chebyshev, kernel) : rolling_system(mesh, chebyshev, kernel);
+        };
+        const auto along = system(PlaneKernel<double>::longitudinal(contact));
         if (what == Rolling::one) return {contact, along, unchecked, of, integrator};
-        return {contact, ElementSystem(along, rolling_system(mesh, chebyshev, y)), unchecked, of, integrator};
+        const ElementSystem both(along, system(PlaneKernel<double>::lateral(contact)));
+        return {contact, both, unchecked, of, integrator};
     }
 };
 
