@@ -3,11 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/system/detail/centre_values.hpp>
 
 #include "scene.hpp"

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/line.hpp>
 #include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/line.hpp>
-
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

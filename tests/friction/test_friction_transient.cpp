@@ -2,10 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
-
-#include <rollbem/line.hpp>
 
 #include "friction/same_bits.hpp"
 #include "scene.hpp"

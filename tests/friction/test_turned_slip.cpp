@@ -1,14 +1,11 @@
 // rollbem/friction/model.hpp: both creepages and spin, with slip turned by half an element.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <utility>
 
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/friction/detail/slip_rotation.hpp>
-#include <rollbem/line.hpp>
 
 #include "friction/scene.hpp"
 #include "support/catch.hpp"

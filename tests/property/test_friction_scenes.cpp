@@ -7,11 +7,6 @@
 #include <cstdint>
 #include <limits>
 
-#include <Eigen/Core>
-
-#include <rollbem/friction/law.hpp>
-#include <rollbem/normal/hertz.hpp>
-
 #include "drawn_scenes.hpp"
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
