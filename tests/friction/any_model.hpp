@@ -15,25 +15,29 @@
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/line.hpp>
 
-#include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
 #include "support/unturned.hpp"
 
 namespace any_model {
 
 using namespace rollbem;
-using falling_tests::a, falling_tests::full_force, falling_tests::law, falling_tests::least_velocity;
-using falling_tests::peak_pressure, falling_tests::shear_modulus, falling_tests::speed;
 using AnyLaw = std::function<double(double)>;
-using Law = falling_tests::Law;
+using Law = ExponentialFall;
 using State = FrictionState;
 using Step = FrictionStep;
 using Motion = RigidMotion<Creepage>;
 using Load = NormalLoad;
+using RollingStep = FrictionModel::RollingStep;
 using Workspace = FrictionModel::Workspace;
 using same_bits::same;
 
-/// The wheel of falling_scene.hpp, whose law is one of its members, and how it is solved.
+constexpr double a = 4e-3, shear_modulus = 82e9, poisson_ratio = 0.28, peak_pressure = 495.169e6;  // [m], [Pa]
+constexpr double speed = 45;                                                                       // V [m/s]
+constexpr Law law{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
+constexpr double least_velocity = 1e-3, wide = 1000 * a;
+constexpr double full_force = std::numbers::pi / 2 * law.mu_0 * peak_pressure * a * 2 * wide;  // mu_0 N
+
+/// A wheel on a rail in SI units, whose law is one of its members, and how it is solved.
 struct Setup {
     int directions = 1;
     bool falls = false;   // or mu is constant
@@ -42,11 +46,10 @@ struct Setup {
     Integrator integrator = Integrator::sdirk2;
     Mesh<double> mesh = cosine_mesh<double>(20);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    double nu = falling_tests::poisson_ratio, half_width = falling_tests::half_width;
+    double nu = poisson_ratio, half_width = wide;
     bool strip = false;   // else the plane kernel
     bool turned = false;  // slip
     bool with_tangents = true;
-    double stiffer = 1;  // G of the system over its own
     StabilityVerdict checks = unchecked;
     Law falling = law;
     double constant = law.mu_0;
@@ -68,7 +71,6 @@ struct Setup {
     ElementSystem<double> system(bool lateral, bool steady = false) const {
         const auto own =
             steady ? steady_system(mesh, scheme, kernel(lateral)) : rolling_system(mesh, scheme, kernel(lateral));
-        if (stiffer != 1) return {stiffer * own.G(), own.G_prime(), own.weights()};
         return turned ? own : support::unturned(own);
     }
 };
@@ -77,10 +79,8 @@ struct Setup {
 FrictionModel make(const Setup& setup, bool steady = false);
 
 /// A step under a load, or, if it is null, under the load of the state.
-inline Step advance(const FrictionModel& model, const State& from, const Travel& travel, const Motion& motion,
-                    const Load* load, State& to, Workspace& workspace) {
-    return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)
-                           : model.advance(from, {travel, motion, *load}, to, workspace);
+inline RollingStep rolling_step(const Travel& travel, const Motion& motion, const Load* load) {
+    return load == nullptr ? RollingStep{travel, motion} : RollingStep{travel, motion, *load};
 }
 
 /// A model with its state and workspace. Distances are in a, and the speed of rolling is `speed`; what takes no way
@@ -98,11 +98,10 @@ struct Ride {
     static Travel travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
     /// Trials, which do not change `now`.
     Step try_steady(const Creepage& creepage, const Load* load = nullptr) {
-        return load == nullptr ? model.steady(now, {Travel::at_speed(speed), creepage}, next, own)
-                               : model.steady(now, {Travel::at_speed(speed), creepage, *load}, next, own);
+        return model.steady(now, rolling_step(Travel::at_speed(speed), creepage, load), next, own);
     }
     Step try_step(double dq, const Motion& motion, const Load* load = nullptr) {
-        return advance(model, now, travel(dq), motion, load, next, own);
+        return model.advance(now, rolling_step(travel(dq), motion, load), next, own);
     }
     void accept() { std::swap(now, next); }
     Step steady(const Creepage& creepage, const Load* load = nullptr) {
@@ -151,7 +150,7 @@ inline std::string words(const Setup& setup) {
 }
 
 /// Creepage [-] of full sliding in Carter's problem.
-constexpr double sliding = 2 * (1 - falling_tests::poisson_ratio) * law.mu_0 * peak_pressure / shear_modulus;
+constexpr double sliding = 2 * (1 - poisson_ratio) * law.mu_0 * peak_pressure / shear_modulus;
 
 /// Creepage by its size over `sliding` and its angle to the rolling direction.
 inline Creepage creepage(double ratio, double degrees = 0) {

@@ -47,10 +47,7 @@ struct Scene {
 
 /// The solution from rest, in a new workspace.
 inline FrictionStep from_scratch(const FrictionModel& model, double xi) {
-    const FrictionState rest = model.at_rest();
-    FrictionState state = rest;
-    FrictionModel::Workspace workspace = model.workspace();
-    return model.steady(rest, {.motion = Creepage{xi}}, state, workspace);
+    return Run(model).steady({.motion = Creepage{xi}});
 }
 
 }  // namespace friction_tests

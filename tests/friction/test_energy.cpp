@@ -2,13 +2,8 @@
 // work.
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/system/detail/centre_values.hpp>
 
 #include "scene.hpp"
@@ -25,8 +20,7 @@ double sliding_energy(double half_length, double half_width) {
     return 2 * half_width * std::numbers::pi / 8 * (mean + second / 2) * peak * peak * half_length * half_length;
 }
 
-TEST_CASE("The elastic energy of full sliding is the exact one at any half-length, and scales in SI units",
-          "[friction]") {
+TEST_CASE("The elastic energy of full sliding is the exact one at any half-length", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(160);
     const Scene scene(mesh, half, 1, 50);
     const FrictionModel model = scene.transient();
@@ -38,15 +32,6 @@ TEST_CASE("The elastic energy of full sliding is the exact one at any half-lengt
         CAPTURE(half_length);
         CHECK(std::abs(model.elastic_energy(state) / sliding_energy(half_length, 50) - 1) < 1e-4);
     }
-
-    // SI units
-    const double a = 6e-3, G = 8e10;
-    const Contact contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
-    const FrictionModel in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
-    FrictionState loaded = in_si.at_rest();
-    loaded.traction = G * state.traction;
-    loaded.half_length = a * state.half_length;
-    CHECK(in_si.elastic_energy(loaded) == Approx(G * a * a * a * model.elastic_energy(state)).epsilon(1e-12));
 
     // a strip has a single half-length
     const auto strip = rolling_system(mesh, half, StripKernel<double>::longitudinal(scene.contact));
@@ -78,19 +63,14 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
             CAPTURE(mesh.size(), i);
             CHECK(std::abs(values.at(i, slip) - expected[i]) < 1e-13);
         }
-        VectorX<double> work = VectorX<double>::Constant(n, 0.1);
-        slip_work.add(VectorX<double>::Constant(n, -3), slip, work);
-        // element by element, for any slip
+        // work is added element by element, for any slip
         const VectorX<double> traction = points.sin().matrix(), uneven = (7 * points).cos().matrix();
-        VectorX<double> works = VectorX<double>::Zero(n);
+        VectorX<double> works = VectorX<double>::Constant(n, 0.1);
         slip_work.add(traction, uneven, works, 2.0);
         for (Eigen::Index i = 0; i < n; ++i) {
             const double one = -2 * mesh.widths()[i] * traction[i] * values.at(i, uneven);
-            CHECK(std::abs(works[i] - one) < 1e-15);
+            CHECK(std::abs(works[i] - 0.1 - one) < 1e-15);
         }
-        const double length = mesh.widths().head(n).sum();
-        CHECK(std::abs(work.sum() - 0.1 * static_cast<double>(n) -
-                       3 * (expected.array() * mesh.widths().head(n)).sum()) < 1e-13 * length * 3);
     };
     for (const Eigen::Index n : {2, 3, 20}) {
         for (const Mesh<double>& mesh : {uniform_mesh<double>(n), cosine_mesh<double>(n), geometric_mesh(n, 3.0)}) {
@@ -126,23 +106,20 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel model = scene.transient(integrator);
-        FrictionState now = model.at_rest(), next = now;
-        FrictionModel::Workspace workspace = model.workspace();
+        Run run(model);
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
-            const FrictionStep step = k % 2 == 0
-                                          ? model.advance(now, {0, Motion::shift({peak * wave})}, next, workspace)
-                                          : model.advance(now, {0.3, Creepage{creepage(4 * wave)}}, next, workspace);
+            const FrictionStep step = k % 2 == 0 ? run.advance({0, Motion::shift({peak * wave})})
+                                                 : run.advance({0.3, Creepage{creepage(4 * wave)}});
             REQUIRE(step.status == Status::ok);
-            CHECK(workspace.slip_work().minCoeff() >= 0);
-            CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);
-            const VectorX<double> slip = workspace.slip().col(0);
+            const VectorX<double>& work = run.workspace().slip_work();
+            CHECK(work.minCoeff() >= 0);
+            CHECK(std::abs(work.sum() - step.slip_work) <= 1e-14 * step.slip_work);
+            const VectorX<double> slip = run.workspace().slip().col(0);
             for (Eigen::Index i = 1; i < 24; ++i) {
-                const double mean = (slip[i - 1] + slip[i]) / 2;
-                if (mean * next.traction(i, 0) > 0) ++turns;
+                if ((slip[i - 1] + slip[i]) * run.now().traction(i, 0) > 0) ++turns;
             }
-            std::swap(now, next);
         }
         CAPTURE(name(integrator), turns);
         CHECK(turns > 0);

@@ -37,15 +37,17 @@ struct Task {
         if (draw.one_in(4)) task.load.pressure_rate.resize(0);
         return task;
     }
-    Step run(const FrictionModel& model, const State& from, State& to, Workspace& workspace) const {
-        const Load* const own = kind % 2 == 0 ? nullptr : &load;
-        if (kind == 0) return model.steady(from, {Travel::at_speed(speed), end}, to, workspace);
+    /// `held` is given where the task has no load of its own.
+    Step run(const FrictionModel& model, const State& from, State& to, Workspace& workspace,
+             const Load* held = nullptr) const {
+        const Load* const own = kind % 2 == 0 ? held : &load;
+        if (kind == 0) return model.steady(from, rolling_step(Travel::at_speed(speed), end, own), to, workspace);
         if (kind < 3) {
             const Motion shifts = Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral});
-            return advance(model, from, Ride::travel(0), shifts, own, to, workspace);
+            return model.advance(from, rolling_step(Ride::travel(0), shifts, own), to, workspace);
         }
-        return advance(model, from, Ride::travel(dq), kind == 3 ? Motion(end) : Motion::linear(start, end), own, to,
-                       workspace);
+        const Motion rolls = kind == 3 ? Motion(end) : Motion::linear(start, end);
+        return model.advance(from, rolling_step(Ride::travel(dq), rolls, own), to, workspace);
     }
 };
 
@@ -70,21 +72,23 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                 const int who = k < 60 ? 0 : draw.integer(5);
                 Ride& ride = rides[static_cast<std::size_t>(who)];
                 const Task task = Task::any(draw, setups[0], ride.now.half_length);
-                const State from = ride.now;
-                State alone = ride.now;
+                State from = ride.now, alone = from;
+                const bool is_refused = draw.one_in(20);
+                if (is_refused) from.normal_pressure[draw.integer(n)] = -1;
                 alone.traction.setOnes();  // what is written to holds anything
                 alone.unrotated_traction.setOnes();
                 alone.normal_pressure.setOnes();
                 Workspace fresh = ride.model.workspace();
-                const Step found = task.run(ride.model, ride.now, ride.next, used);
-                const Step expected = task.run(ride.model, ride.now, alone, fresh);
+                const Step found = task.run(ride.model, from, ride.next, used);
+                const Step expected = task.run(ride.model, from, alone, fresh);
                 CAPTURE(n, k, who, task.kind, task.dq, name(found.status));
-                REQUIRE((found.status == Status::ok || setup.falls));
                 REQUIRE(same(found, expected));
+                REQUIRE((found.status == Status::invalid_load) == is_refused);
+                if (is_refused) continue;
+                REQUIRE((found.status == Status::ok || setup.falls));
                 REQUIRE(same(ride.next, alone));
                 REQUIRE(same(used.slip(), fresh.slip()));
                 REQUIRE(same(used.slip_work(), fresh.slip_work()));
-                REQUIRE(same(ride.now, from));
                 mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
                 // without tangents the step is the same
                 if (who == 0 && setup.falls) {
@@ -93,6 +97,16 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                     REQUIRE(same(ride.next, alone));
                     REQUIRE(detail::is_nan(bare.tangent.by_longitudinal.longitudinal));
                     REQUIRE(detail::is_nan(bare.tangent_by_load.longitudinal));
+                }
+                // under the load of the state the step is the same
+                if (task.kind % 2 == 0) {
+                    const Load held{from.normal_pressure, from.half_length, {}};
+                    Step loaded = task.run(ride.model, from, alone, fresh, &held);
+                    REQUIRE(detail::is_nan(found.tangent_by_half_length.longitudinal));
+                    loaded.tangent_by_half_length = found.tangent_by_half_length;
+                    REQUIRE(same(loaded, found));
+                    REQUIRE(same(ride.next, alone));
+                    REQUIRE(same(used.slip(), fresh.slip()));
                 }
                 if (!draw.one_in(3)) ride.accept();  // otherwise the trial is rejected
             }
@@ -141,35 +155,6 @@ TEST_CASE("Long runs in which nothing changes do not depend on the workspace, an
     }
 }
 
-TEST_CASE("A constant load gives bit for bit the same steps as no load", "[friction]") {
-    for (Setup setup : every_setup_in_time()) {
-        for (const bool strip : {false, true}) {
-            setup.strip = strip;
-            INFO(words(setup));
-            Ride plain(setup), loaded(setup);
-            const Load load{setup.pressure(), a, {}};
-            for (int k = 0; k < 30; ++k) {
-                CAPTURE(strip, k);
-                const double dq = k % 7 == 0 ? 0.4 : k % 7 == 3 ? 0 : 0.1, size = 1.2 * std::sin(0.3 * k);
-                const Motion motion = dq == 0      ? shift(size, 10.0 * k)
-                                      : k % 2 == 0 ? Motion(creepage(size, 10.0 * k))
-                                                   : Motion::linear(creepage(size, 30), creepage(0.5, 10.0 * k));
-                const Step step = plain.step(dq, motion);
-                Step same_step = loaded.step(dq, motion, &load);
-                REQUIRE(step.status == Status::ok);
-                CHECK(detail::is_nan(same_step.tangent_by_load.longitudinal));
-                CHECK(detail::is_nan(same_step.tangent_by_load.lateral));
-                CHECK(detail::is_nan(same_step.tangent_by_half_length.longitudinal) == (strip || dq == 0));
-                CHECK(detail::is_nan(step.tangent_by_half_length.longitudinal));
-                same_step.tangent_by_half_length = step.tangent_by_half_length;
-                REQUIRE(same(step, same_step));
-                REQUIRE(same(plain.now, loaded.now));
-                REQUIRE(same(plain.own.slip(), loaded.own.slip()));
-            }
-        }
-    }
-}
-
 TEST_CASE("Contact may be lost and regained", "[friction]") {
     for (Setup setup : every_setup_in_time()) {
         for (const int n : {1, 3, 24}) {
@@ -188,10 +173,6 @@ TEST_CASE("Contact may be lost and regained", "[friction]") {
                 const Step step = ride.step(dq, dq == 0 ? shift(0.6, 9.0 * k) : creepage(0.6, 9.0 * k), &load);
                 CAPTURE(k, part, step.rounds);
                 REQUIRE(step.status == Status::ok);
-                CHECK(step.complementarity_residual < 1e-9);
-                CHECK(step.slip_work >= 0);
-                const Eigen::ArrayXd traction = ride.now.traction.rowwise().norm();
-                CHECK((traction <= law.mu_0 * load.normal_pressure * (1 + 1e-12)).all());
                 CHECK(matrix(step.tangent).allFinite());
                 CHECK(vector(step.tangent_by_load).allFinite());
                 if (setup.falls) CHECK((load.normal_pressure > 0 || ride.now.friction_coefficient == law.mu_0).all());
@@ -200,7 +181,7 @@ TEST_CASE("Contact may be lost and regained", "[friction]") {
                     CHECK(matrix(step.tangent).isZero(0));
                     CHECK(step.stick_count == 0);
                 }
-                largest = std::max(largest, traction.maxCoeff());
+                largest = std::max(largest, ride.now.traction.cwiseAbs().maxCoeff());
             }
             CHECK(largest > 0.1 * law.mu_0 * peak_pressure);
         }
@@ -212,19 +193,13 @@ TEST_CASE("A model refuses states of other models; the mesh follows the half-len
         INFO(words(setup));
         setup.mesh = cosine_mesh<double>(8);
         Ride ride(setup);
-        const State rest = ride.now;
         const Creepage creeps = creepage(0.5, 30);
         std::vector<Setup> others(4, setup);
         others[0].mesh = uniform_mesh<double>(8);
         others[1].half_width *= 1.1;
         others[2].scheme.alpha_L = 0;
         others[3].own_pressure = 1.1 * setup.pressure();
-        for (const Setup& other : others) {
-            ride.now = make(other).at_rest();
-            CHECK(ride.try_step(0.1, creeps).status == Status::wrong_state);
-            CHECK(ride.try_steady(creeps).status == Status::wrong_state);
-        }
-        ride.now = rest;
+        for (const Setup& other : others) CHECK(make(other).fingerprint() != ride.model.fingerprint());
         Load load{setup.pressure(), a, setup.pressure()};
         for (const double way : {1.0, -1.0}) {
             load.half_length = a * (1 + way * 0.099);
@@ -243,10 +218,6 @@ TEST_CASE("A model refuses states of other models; the mesh follows the half-len
         CHECK(refusal([&] { ride.model.at_rest(load); }) ==
               "FrictionModel: status of the load at rest = invalid_load must be ok: pressures of all elements, "
               "finite and not negative, on semi-axes that the mesh can follow");
-        State breathed = rest;
-        breathed.half_length = 1.1 * a;
-        CHECK(ride.alone().steady(breathed, {Travel::at_speed(speed), creeps}, ride.next, ride.own).status ==
-              Status::needs_fixed_mesh);
     }
 }
 
@@ -255,20 +226,14 @@ TEST_CASE("A system with a single half-length is reported as needs_fixed_mesh", 
         setup.strip = true;
         INFO(words(setup));
         Ride ride(setup);
-        const State rest = ride.now;
         const Creepage creeps = creepage(0.5, 30);
-        Load load{setup.pressure(), a, {}};
-        CHECK(ride.try_step(0.1, creeps, &load).status == Status::ok);
-        load.half_length = 1.001 * a;
+        const Load held{setup.pressure(), a, {}}, load{setup.pressure(), 1.001 * a, {}};
+        CHECK(detail::is_nan(ride.try_step(0.1, creeps, &held).tangent_by_half_length.longitudinal));
         CHECK(ride.try_step(0.1, creeps, &load).status == Status::needs_fixed_mesh);
         CHECK(ride.try_steady(creeps, &load).status == Status::needs_fixed_mesh);
-        ride.now.half_length = 1.001 * a;
-        CHECK(ride.try_step(0.1, creeps, &load).status == Status::needs_fixed_mesh);
+        ride.now.half_length = load.half_length;
         CHECK(ride.try_step(0.1, creeps).status == Status::needs_fixed_mesh);
-        CHECK(ride.try_step(0, shift(0.5)).status == Status::needs_fixed_mesh);
         CHECK(ride.try_steady(creeps).status == Status::needs_fixed_mesh);
-        CHECK(detail::is_nan(ride.model.elastic_energy(ride.now)));
-        CHECK(ride.model.elastic_energy(rest) == 0);
     }
 }
 
@@ -282,19 +247,14 @@ TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction
         const Step failed = ride.try_step(1e3, Creepage{1e308, 1e308});
         CHECK(failed.status == Status::not_finite);
         CHECK(detail::is_nan(failed.force.longitudinal));
-        CHECK(same(ride.next.traction, ride.now.traction));
-        CHECK(ride.next.zones == ride.now.zones);
-        CHECK(same(ride.next.friction_coefficient, ride.now.friction_coefficient));
-        CHECK(ride.next.system == ride.now.system);
+        CHECK(same(ride.next, ride.now));
         CHECK(ride.own.slip().isZero(0));  // nothing slid
-        // a step from it is a step from the state itself, in the same workspace
-        const State copy = ride.next;
+        // what follows in the same workspace is what follows in a new one
         State after = rest;
         Workspace fresh = ride.model.workspace();
-        const Step again = ride.model.advance(copy, {Ride::travel(0.1), creepage(-0.3)}, after, ride.own);
-        const Step alone = ride.model.advance(ride.now, {Ride::travel(0.1), creepage(-0.3)}, ride.next, fresh);
-        CHECK(again.status == Status::ok);
-        CHECK(same(ratios(again), ratios(alone)));
+        const Step alone = ride.model.advance(ride.now, {Ride::travel(0.1), creepage(-0.3)}, after, fresh);
+        CHECK(alone.status == Status::ok);
+        CHECK(same(ride.try_step(0.1, creepage(-0.3)), alone));
         // a traction that is no number
         for (const Eigen::Index i : {0, 7, 19}) {
             ride.now = rest;
@@ -305,7 +265,7 @@ TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction
     }
 }
 
-TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[friction][not_finite]") {
+TEST_CASE("Laws, pressures and integrators out of range are refused by name", "[friction][not_finite]") {
     for (Setup setup : every_setup(1e-6)) {
         INFO(words(setup));
         setup.mesh = cosine_mesh<double>(8);
@@ -318,31 +278,26 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
             setup = good;
         };
         const std::string mu = setup.falls ? "friction coefficient at rest" : "friction_coefficient";
-        const auto negative = setup.falls ? std::pair(-0.1, "-0.1") : std::pair(-1e-300, "-1e-300");
-        for (const auto& [bad, text] : {negative, std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
+        const ArrayX<double> pressure = setup.pressure();
+        for (const auto& [bad, text] : {std::pair(-0.1, "-0.1"), std::pair(-1e-300, "-1e-300"), std::pair(nan, "nan"),
+                                        std::pair(infinite, "inf")}) {
+            const std::string range = std::string(" = ") + text + " must be finite and not negative";
+            if (setup.falls && bad == -1e-300) continue;  // rounding hides it in a law that falls from it
             setup.constant = setup.falling.mu_0 = bad;
-            refused(mu + " = " + text + " must be finite and not negative");
+            refused(mu + range);
+            setup.own_pressure = pressure;
+            (*setup.own_pressure)[3] = bad;
+            refused("normal_pressure" + range);
+            if (setup.distance == 0) continue;
+            setup.distance = bad;
+            refused("distance of the memory" + range);
+            setup.least = bad;
+            refused("least_velocity of the memory" + range);
         }
-        if (setup.distance > 0) {
-            for (const auto& [bad, text] :
-                 {std::pair(-1e-6, "-1e-06"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
-                setup.distance = bad;
-                refused("distance of the memory = " + std::string(text) + " must be finite and not negative");
-                setup.least = bad;
-                refused("least_velocity of the memory = " + std::string(text) + " must be finite and not negative");
-            }
-        }
-        ArrayX<double> pressure = setup.pressure();
         setup.own_pressure = pressure.head(7);
         refused("length of normal_pressure = 7 must equal the number of elements");
         setup.own_pressure = 0 * pressure;
         refused("largest normal_pressure = 0 must be positive");
-        for (const auto& [bad, text] :
-             {std::pair(-1e-300, "-1e-300"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
-            pressure[3] = bad;
-            setup.own_pressure = pressure;
-            refused("normal_pressure = " + std::string(text) + " must be finite and not negative");
-        }
         setup.integrator = Integrator::matrix_exponential;
         refused("integrator = matrix_exponential must solve stages, as implicit_euler and sdirk2 do");
     }
@@ -388,21 +343,4 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 }
 
 }  // namespace
-
-TEST_CASE("Steady rolling from rest under a load is that under the load", "[friction]") {
-    for (const Setup& setup : every_setup()) {
-        INFO(words(setup));
-        Ride ride(setup);
-        const Load load{0.9 * setup.pressure(), 1.05 * a, setup.pressure()};
-        const State rest = ride.model.at_rest(load);
-        State to = ride.now;
-        const Travel travel = Travel::at_speed(speed);
-        const Step expected = ride.model.steady(ride.now, {travel, creepage(0.5), load}, ride.next, ride.own);
-        const Step found = ride.model.steady(rest, {travel, creepage(0.5)}, to, ride.own);
-        REQUIRE(expected.status == Status::ok);
-        CHECK(found.force.longitudinal == expected.force.longitudinal);
-        CHECK(same(to, ride.next));
-    }
-}
-
 }  // namespace any_model

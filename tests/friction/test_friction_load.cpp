@@ -4,11 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 #include <vector>
 
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/line.hpp>
 #include <rollbem/system/detail/along_contact.hpp>
 
 #include "scene.hpp"
@@ -35,64 +32,47 @@ HertzLine unit_line() {
 struct LoadScene {
     Contact contact;  // with the half-length that the mesh is made for
     Mesh<double> mesh;
-    PlaneKernel<double> kernel;
     HertzLine::Load hertz;
-    Collocation scheme = half;
-    double mu = 1;
+    PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
 
-    static LoadScene breathing(Mesh<double> mesh, double half_width = 1000, double half_length = 1) {
-        const Contact contact = contact_of(half_length, half_width);
-        const HertzLine::Load hertz = HertzLine::Load::breathing(unit_line(), mesh);
-        return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
+    static LoadScene breathing(Mesh<double> mesh, double half_width = 1000) {
+        return {contact_of(1, half_width), mesh, HertzLine::Load::breathing(unit_line(), mesh)};
     }
-    static LoadScene fixed(Mesh<double> mesh, double half_length = 1.25, double half_width = 1000) {
-        const Contact contact = contact_of(half_length, half_width);
-        const HertzLine::Load hertz = HertzLine::Load::fixed(unit_line(), mesh, half_length);
-        return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
+    static LoadScene fixed(Mesh<double> mesh) {
+        return {contact_of(1.25, 1000), mesh, HertzLine::Load::fixed(unit_line(), mesh, 1.25)};
     }
     static Contact contact_of(double half_length, double half_width) {
         return Contact(
             {.half_length = half_length, .half_width = half_width, .shear_modulus = 1, .poisson_ratio = load_nu});
     }
 
-    ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    FrictionModel model(Integrator integrator = Integrator::sdirk2) const {
-        return {contact, system(), unchecked, law(), integrator};
-    }
-    Friction law() const { return {mu, hertz.at(full_force).normal_pressure}; }
+    ElementSystem<double> system() const { return rolling_system(mesh, half, kernel); }
+    Friction law() const { return {1, hertz.at(full_force).normal_pressure}; }
 };
 
-/// full_force (1 + 0.5 sin(2 pi q/L)).
-struct SineLoad {
-    double L = 8;
-
-    double operator()(double q) const { return full_force * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / L)); }
-};
-
-// -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
-std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
-    const FrictionModel model = scene.model(integrator);
-    FrictionModel::Workspace workspace = model.workspace();
-    FrictionState now = model.at_rest(), next = now;
-    NormalLoad load = scene.hertz.at(sine(0));
-    FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);
+// -F/(mu N_0) at 21 places of a way of 8 in so many steps, from steady rolling at half the creepage of full slip, under
+// the load N_0 (1 + 0.5 sin(2 pi q/8)).
+std::vector<double> roll(const LoadScene& scene, int steps) {
+    const auto load_after = [&](int k) { return full_force * (1 + 0.5 * std::sin(2 * std::numbers::pi * k / steps)); };
+    const FrictionModel model(scene.contact, scene.system(), unchecked, scene.law());
+    Run run(model);
+    NormalLoad load = scene.hertz.at(full_force);
+    FrictionStep step = run.steady({.motion = load_creepage(0.5), .load = load});
     std::vector<double> forces{force_ratio(step, scene.contact)};
     bool ok = step.status == Status::ok;
     for (int k = 1; k <= steps; ++k) {
-        std::swap(now, next);
-        ok = scene.hertz.set(sine(Q * k / steps), load) == Status::ok && ok;
-        step = model.advance(now, {Q / steps, load_creepage(0.5), load}, next, workspace);
+        ok = scene.hertz.set(load_after(k), load) == Status::ok && ok;
+        step = run.advance({8.0 / steps, load_creepage(0.5), load});
         ok = ok && step.status == Status::ok && step.complementarity_residual < 1e-11;
-        forces.push_back(force_ratio(step, scene.contact));
+        if (k % (steps / 20) == 0) forces.push_back(force_ratio(step, scene.contact));
     }
     CHECK(ok);
     return forces;
 }
 
-// Largest difference of two series, the second `factor` times as fine.
-double largest_difference(const std::vector<double>& one, const std::vector<double>& fine, std::size_t factor) {
+double largest_difference(const std::vector<double>& one, const std::vector<double>& other) {
     double largest = 0;
-    for (std::size_t k = 0; k < one.size(); ++k) largest = std::max(largest, std::abs(one[k] - fine[k * factor]));
+    for (std::size_t k = 0; k < one.size(); ++k) largest = std::max(largest, std::abs(one[k] - other[k]));
     return largest;
 }
 
@@ -126,16 +106,15 @@ TEST_CASE("Forces on a breathing mesh converge at second order in the number of 
     std::vector<double> sizes, changes;
     std::vector<std::vector<double>> series;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
-        series.push_back(roll(LoadScene::breathing(cosine_mesh<double>(n)), {}, 8, 80, Integrator::sdirk2));
-        CAPTURE(n);
-        const double error = largest_difference(agreed, series.back(), 4);
-        CAPTURE(error);
+        series.push_back(roll(LoadScene::breathing(cosine_mesh<double>(n)), 80));
+        const double error = largest_difference(agreed, series.back());
+        CAPTURE(n, error);
         if (n == 20) CHECK(error < 3e-3);
         if (n == 40) CHECK(error < 1e-3);
         if (n >= 80) CHECK(error < 4e-4);  // dq = 0.1
         if (series.size() < 2) continue;
         sizes.push_back(static_cast<double>(n));
-        changes.push_back(largest_difference(series[series.size() - 2], series.back(), 1));
+        changes.push_back(largest_difference(series[series.size() - 2], series.back()));
     }
     const double order = support::observed_order(sizes, changes);
     CAPTURE(changes[0], changes[1], changes[2], order);
@@ -145,61 +124,31 @@ TEST_CASE("Forces on a breathing mesh converge at second order in the number of 
 
 TEST_CASE("Forces on a fixed mesh converge to the same limit at first order", "[friction][load]") {
     std::vector<double> sizes, errors;
-    for (const Eigen::Index n : {50, 100, 200, 400}) {
-        const std::vector<double> forces =
-            roll(LoadScene::fixed(uniform_mesh<double>(n)), {}, 8, 160, Integrator::sdirk2);
-        sizes.push_back(static_cast<double>(n));
-        errors.push_back(largest_difference(agreed, forces, 8));
+    for (const double largest : {9e-3, 4.4e-3, 2.3e-3}) {
+        sizes.push_back(static_cast<double>(50 << sizes.size()));
+        const Mesh<double> mesh = uniform_mesh<double>(Eigen::Index(sizes.back()));
+        errors.push_back(largest_difference(agreed, roll(LoadScene::fixed(mesh), 160)));
+        CHECK(errors.back() < largest);
     }
-    const double order = support::observed_order(sizes, errors);
-    CAPTURE(errors[0], errors[1], errors[2], errors[3], order);
-    CHECK(errors[0] < 9e-3);
-    CHECK(errors[1] < 4.4e-3);
-    CHECK(errors[2] < 2.3e-3);
-    CHECK(errors[3] < 1.2e-3);
-    CHECK(order > 0.9);
-    CHECK(order < 1.1);
-}
-
-TEST_CASE("Under a slowly varying load, the force follows Carter's solution", "[friction][load]") {
-    std::vector<double> lengths, differences;
-    for (const double L : {8.0, 40.0, 200.0, 1000.0}) {
-        const SineLoad sine{.L = L};
-        const int steps = 160;
-        const std::vector<double> forces =
-            roll(LoadScene::breathing(cosine_mesh<double>(40)), sine, L, steps, Integrator::sdirk2);
-        double largest = 0;
-        for (int k = 0; k <= steps; ++k) {
-            const double relative = sine(L * k / steps) / full_force;  // a^2
-            largest = std::max(largest, std::abs(forces[static_cast<std::size_t>(k)] -
-                                                 relative * carter_force_ratio(0.5 / std::sqrt(relative))));
-        }
-        lengths.push_back(L);
-        differences.push_back(largest);
-    }
-    CAPTURE(differences[0], differences[1], differences[2], differences[3]);
-    CHECK(differences[0] == Approx(0.20).margin(0.01));
-    CHECK(differences[1] == Approx(0.12).margin(0.01));
-    CHECK(differences[2] == Approx(0.031).margin(0.002));
-    CHECK(differences[3] < 0.009);
+    CAPTURE(errors);
+    CHECK(std::abs(support::observed_order(sizes, errors) - 1) < 0.1);
 }
 
 TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[friction][load]") {
     const double b = 0.4, along = 4 * b * std::exp(load_nu / (1 - load_nu)), across = 4 * b * std::exp(-load_nu);
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
     const ElementSystem<double> lateral =
-        rolling_system(scene.mesh, scene.scheme, PlaneKernel<double>::lateral(scene.contact));
+        rolling_system(scene.mesh, half, PlaneKernel<double>::lateral(scene.contact));
     const auto check = [&](const FrictionModel& model, double limit, const Creepage& creepage) {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
+        Run run(model);
         NormalLoad load = scene.hertz.at(full_force);
         const auto advance = [&](double half_length) {
             load.half_length = half_length;
-            return model.advance(now, {0.1, creepage, load}, next, workspace).status;
+            return run.try_advance({0.1, creepage, load}).status;
         };
-        while (now.half_length < limit - 0.1) {
-            REQUIRE(advance(now.half_length + 0.05) == Status::ok);
-            std::swap(now, next);
+        while (run.now().half_length < limit - 0.1) {
+            REQUIRE(advance(run.now().half_length + 0.05) == Status::ok);
+            run.accept();
         }
         CHECK(advance(limit * (1 - 1e-12)) == Status::ok);
         CHECK(advance(limit * (1 + 1e-12)) == Status::needs_fixed_mesh);

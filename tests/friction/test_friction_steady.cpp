@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/line.hpp>
-
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -60,11 +58,10 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
     for (const Eigen::Index n : {40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n));
         const FrictionModel model = scene.steady();
-        const FrictionState rest = model.at_rest();
-        FrictionState state = rest;
-        FrictionModel::Workspace workspace = model.workspace();
-        const FrictionStep point = model.steady(rest, {.motion = Creepage{creepage(0.4)}}, state, workspace);
-        const VectorX<double> slip = workspace.slip().col(0);
+        Run run(model);
+        const FrictionStep point = run.steady({.motion = Creepage{creepage(0.4)}});
+        const FrictionState& state = run.now();
+        const VectorX<double> slip = run.workspace().slip().col(0);
         const double widest = scene.mesh.widths().maxCoeff();
         double largest = 0;
         for (Eigen::Index i = 0; i < n; ++i) {

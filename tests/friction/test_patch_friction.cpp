@@ -25,6 +25,36 @@ namespace {
 constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double mu = 0.3, nu = 0.28, G = 8e10;
 
+/// Limits of -F_x, -F_y over mu N and -M_z over mu N a: 16 x 16 and 32 x 32 elements of another program, extrapolated;
+/// Kalker's program CONTACT tends to the same forces within 5e-4.
+struct Limit {
+    bool xi, eta, phi;
+    double level;
+    std::array<double, 3> ratios;
+
+    int acting() const { return int(xi) + int(eta) + int(phi); }
+};
+constexpr Limit limits[] = {
+    {1, 0, 0, 0.4, {.35294, 0, 0}},
+    {1, 0, 0, 1, {.72065, 0, 0}},
+    {1, 0, 0, 2.5, {.99914, 0, 0}},
+    {0, 1, 0, 0.4, {0, .35213, -.10642}},
+    {0, 1, 0, 1, {0, .71638, -.12457}},
+    {0, 1, 0, 2.5, {0, .99916, -.01709}},
+    {1, 1, 0, 0.4, {.24873, .24974, -.07466}},
+    {1, 1, 0, 1, {.50492, .51144, -.08572}},
+    {1, 1, 0, 2.5, {.68261, .72987, -.01108}},
+    {0, 0, 1, 0.4, {0, .37446, .22556}},
+    {0, 0, 1, 1, {0, .60539, .40032}},
+    {0, 0, 1, 2.5, {0, .38034, .51395}},
+    {0, 1, 1, 0.4, {0, .50366, .10635}},
+    {0, 1, 1, 1, {0, .84704, .24648}},
+    {0, 1, 1, 2.5, {0, .75458, .32506}},
+    {1, 1, 1, 0.4, {.18327, .41848, .08348}},
+    {1, 1, 1, 1, {.30871, .78900, .20493}},
+    {1, 1, 1, 2.5, {.34967, .73684, .27746}},
+};
+
 /// A patch of semi-axes a and b [m] with G a b = 250/3 mu N.
 struct Scene {
     PatchContact contact;
@@ -49,62 +79,16 @@ struct Scene {
     }
     /// A circle: of the creepages that act together, each is the part 1/sqrt(their number) of what would need `level`
     /// mu N without slip.
-    Creepage creepage(double level, bool xi, bool eta, bool phi) const {
-        const double unit = level * 3 / 250 / std::sqrt(int(xi) + int(eta) + int(phi));
-        return {xi ? unit / 4.2262 : 0, eta ? unit / 3.7049 : 0, phi ? unit / 1.4881 / c : 0};
+    Creepage creepage(const Limit& limit) const {
+        const double unit = limit.level * 3 / 250 / std::sqrt(limit.acting());
+        return {limit.xi ? unit / 4.2262 : 0, limit.eta ? unit / 3.7049 : 0, limit.phi ? unit / 1.4881 / c : 0};
     }
 };
 
 /// A steady solution from rest.
-struct Solved {
-    FrictionStep step;
-    FrictionState state;
-    Eigen::MatrixXd slip;
-    Eigen::VectorXd work;
-};
-
-template <class Model>
-Solved solve(const Model& model, const Creepage& creepage) {
-    auto workspace = model.workspace();
-    const auto rest = model.at_rest();
-    auto state = rest;
-    const auto step = model.steady(rest, {.motion = creepage}, state, workspace);
-    return {step, state, workspace.slip(), workspace.slip_work()};
+FrictionStep solve(const FrictionModel& model, const Creepage& creepage) {
+    return Run(model).steady({.motion = creepage});
 }
-
-/// What the rigid bodies do on the contact per distance rolled [J/m].
-double creep_work(const Creepage& creepage, const TangentialForce& force) {
-    return -(creepage.longitudinal * force.longitudinal + creepage.lateral * force.lateral +
-             creepage.spin * force.moment);
-}
-
-/// Limits of -F_x, -F_y over mu N and -M_z over mu N a: 16 x 16 and 32 x 32 elements of another program, extrapolated;
-/// Kalker's program CONTACT tends to the same forces within 5e-4.
-struct Limit {
-    bool xi, eta, phi;
-    double level;
-    std::array<double, 3> ratios;
-};
-constexpr Limit limits[] = {
-    {1, 0, 0, 0.4, {.35294, 0, 0}},
-    {1, 0, 0, 1, {.72065, 0, 0}},
-    {1, 0, 0, 2.5, {.99914, 0, 0}},
-    {0, 1, 0, 0.4, {0, .35213, -.10642}},
-    {0, 1, 0, 1, {0, .71638, -.12457}},
-    {0, 1, 0, 2.5, {0, .99916, -.01709}},
-    {1, 1, 0, 0.4, {.24873, .24974, -.07466}},
-    {1, 1, 0, 1, {.50492, .51144, -.08572}},
-    {1, 1, 0, 2.5, {.68261, .72987, -.01108}},
-    {0, 0, 1, 0.4, {0, .37446, .22556}},
-    {0, 0, 1, 1, {0, .60539, .40032}},
-    {0, 0, 1, 2.5, {0, .38034, .51395}},
-    {0, 1, 1, 0.4, {0, .50366, .10635}},
-    {0, 1, 1, 1, {0, .84704, .24648}},
-    {0, 1, 1, 2.5, {0, .75458, .32506}},
-    {1, 1, 1, 0.4, {.18327, .41848, .08348}},
-    {1, 1, 1, 1, {.30871, .78900, .20493}},
-    {1, 1, 1, 2.5, {.34967, .73684, .27746}},
-};
 
 }  // namespace
 
@@ -130,16 +114,16 @@ TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
     int rounds = 0;
     for (const Limit& limit : limits) {
         CAPTURE(limit.xi, limit.eta, limit.phi, limit.level);
-        const Creepage creepage = coarse.creepage(limit.level, limit.xi, limit.eta, limit.phi);
-        const Solved first = solve(coarse_model, creepage), second = solve(fine_model, creepage);
-        CHECK(first.step.status == Status::ok);
-        CHECK(second.step.status == Status::ok);
-        CHECK(second.step.complementarity_residual < 1e-12);
-        const auto at_8 = coarse.ratios(first.step.force), at_12 = fine.ratios(second.step.force);
+        const Creepage creepage = coarse.creepage(limit);
+        const FrictionStep first = solve(coarse_model, creepage), second = solve(fine_model, creepage);
+        CHECK(first.status == Status::ok);
+        CHECK(second.status == Status::ok);
+        CHECK(second.complementarity_residual < 1e-12);
+        const auto at_8 = coarse.ratios(first.force), at_12 = fine.ratios(second.force);
         eight.add(at_8, limit);
         twelve.add(at_12, limit);
         both.add(extrapolated(at_8, at_12), limit);
-        rounds += second.step.rounds;
+        rounds += second.rounds;
     }
     CHECK(eight.mean[0] < 3.1e-3);
     CHECK(eight.mean[1] < 1.44e-2);
@@ -175,10 +159,8 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
         const auto model = scene.steady();
         double largest = 0, moment = 0;
         for (const Limit& limit : limits) {
-            const double acting = int(limit.xi) + int(limit.eta) + int(limit.phi);
-            if (limit.phi && limit.level / std::sqrt(acting) > spin) continue;
-            const Creepage creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
-            const std::array<double, 3> ratios = scene.ratios(solve(model, creepage).step.force);
+            if (limit.phi && limit.level / std::sqrt(limit.acting()) > spin) continue;
+            const std::array<double, 3> ratios = scene.ratios(solve(model, scene.creepage(limit)).force);
             largest = std::max(largest, difference(ratios, limit.ratios));
             moment = std::max(moment, std::abs(ratios[2] - limit.ratios[2]));
         }
@@ -191,8 +173,7 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
     // an odd number of strips, without an edge through the pole of spin
     const auto spin_error = [&](Eigen::Index strips) {
         const Scene scene(5e-3, 5e-3, cosine_mesh(12), uniform_mesh(strips));
-        return difference(scene.ratios(solve(scene.steady(), scene.creepage(2.5, 0, 0, 1)).step.force),
-                          limits[11].ratios);
+        return difference(scene.ratios(solve(scene.steady(), scene.creepage(limits[11])).force), limits[11].ratios);
     };
     CHECK(spin_error(recommended_strips(12, 1)) < 0.6 * spin_error(8));
     // other ratios, against twice as fine patches: xi alone, spin alone, spin against eta
@@ -206,8 +187,8 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
         double largest = 0, moment = 0;
         for (const Creepage& creepage : {Creepage{unit / c11, 0, 0}, Creepage{0, 0, 2.5 * unit / c23 / coarse.c},
                                          Creepage{0, -1.8 * unit / c22, 1.8 * unit / c23 / coarse.c}}) {
-            const std::array<double, 3> one = coarse.ratios(solve(coarse_model, creepage).step.force);
-            const std::array<double, 3> other = fine.ratios(solve(fine_model, creepage).step.force);
+            const std::array<double, 3> one = coarse.ratios(solve(coarse_model, creepage).force);
+            const std::array<double, 3> other = fine.ratios(solve(fine_model, creepage).force);
             largest = std::max(largest, difference(one, other));
             moment = std::max(moment, std::abs(one[2] - other[2]));
         }
@@ -227,10 +208,11 @@ TEST_CASE("patch_friction: recommended patches stay below their error bound") {
 TEST_CASE("patch_friction: slip work is the work of the creepages") {
     const auto residual = [](const Limit& limit, Eigen::Index n) {
         const Scene scene(5e-3, 5e-3, n, n);
-        const Creepage creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
-        const Solved solved = solve(scene.steady(), creepage);
-        CHECK(solved.work.sum() == Approx(solved.step.slip_work).epsilon(1e-13));
-        return solved.step.slip_work / creep_work(creepage, solved.step.force) - 1;
+        const Creepage creepage = scene.creepage(limit);
+        const FrictionStep step = solve(scene.steady(), creepage);
+        const double work = -creepage.longitudinal * step.force.longitudinal - creepage.lateral * step.force.lateral -
+                            creepage.spin * step.force.moment;  // of the rigid bodies, per distance rolled [J/m]
+        return step.slip_work / work - 1;
     };
     // of second order; measured with another program
     for (const auto& [which, at_8, at_12] :
@@ -242,7 +224,7 @@ TEST_CASE("patch_friction: slip work is the work of the creepages") {
 }
 
 TEST_CASE("patch_friction: needles have forces where full adhesion has right ones") {
-    // 8 x 0.38 mm, off the middle: not dissipative on 24 x 32 elements, an eighth of the traction assists the creepage
+    // 8 x 0.38 mm, off the middle: not dissipative on 20 x 28 elements, a ninth of the traction assists the creepage
     ArrayX<double> y = ArrayX<double>::LinSpaced(41, -0.19e-3, 0.19e-3), trailing(41), leading(41);
     for (Eigen::Index i = 0; i < 41; ++i) {
         const double length = std::sqrt(std::max(0.0, 1 - std::pow(y[i] / 0.19e-3, 2)));
@@ -252,17 +234,14 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
     const PatchContact contact(PatchContact::Outline(y, trailing, leading), 8.2e10, nu);
     const double c = contact.half_length(), load = 15e3, unit = mu * load / (8.2e10 * c * c);
     std::vector<TangentialForce> forces;
-    for (const auto& [n, m] : {std::pair{24, 32}, {16, 9}}) {
+    for (const auto& [n, m] : {std::pair{20, 28}, {16, 9}}) {
         const auto mesh = patch_mesh(contact, cosine_mesh(n), uniform_mesh(m));
         const ArrayX<double> pressure = ArrayX<double>::Constant(mesh.size(), load / contact.outline()->area());
         const FrictionModel model(contact, steady_system(mesh, chebyshev, HalfSpace<double>(nu)), {mu, pressure});
         CHECK(is_dissipative(detail::joined(assemble_G_prime(mesh, chebyshev, HalfSpace<double>(nu))),
                              patch_elements(mesh, chebyshev).areas) == (n == 16));
-        auto workspace = model.workspace();
-        auto to = model.at_rest();
-        const auto step = model.steady(model.at_rest(),
-                                       {.motion = {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c}},
-                                       to, workspace);
+        const FrictionStep step =
+            solve(model, {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c});
         REQUIRE(step.status == Status::ok);
         forces.push_back(step.force);
     }
@@ -277,77 +256,48 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
                     .converges());
 }
 
-TEST_CASE("patch_friction: limits and symmetries") {
+TEST_CASE("patch_friction: limits of the creepages") {
     const Scene scene(6e-3, 4e-3, 8, 7);
     const auto model = scene.steady();
 
-    const Solved nothing = solve(model, {0, 0, 0});
-    CHECK(nothing.step.status == Status::ok);
-    CHECK(nothing.step.stick_count == 56);
-    CHECK(nothing.state.traction.norm() == 0);
-    CHECK(nothing.step.slip_work == 0);
+    const FrictionStep nothing = solve(model, {0, 0, 0});
+    CHECK(nothing.status == Status::ok);
+    CHECK(nothing.stick_count == 56);
+    CHECK(std::hypot(nothing.force.longitudinal, nothing.force.lateral, nothing.force.moment) == 0);
+    CHECK(nothing.slip_work == 0);
 
     // full sliding: F opposes the creepage, and there is no moment
-    const Solved sliding = solve(model, {0.3, -0.4, 0});
-    const auto sides = scene.ratios(sliding.step.force);
-    CHECK(sliding.step.stick_count == 0);
+    const FrictionStep sliding = solve(model, {0.3, -0.4, 0});
+    const auto sides = scene.ratios(sliding.force);
+    CHECK(sliding.stick_count == 0);
     CHECK(sides[0] == Approx(0.6).epsilon(1e-4));
     CHECK(sides[1] == Approx(-0.8).epsilon(1e-4));
     CHECK(std::abs(sides[2]) < 1e-3);
-    CHECK(sliding.step.slip_work == Approx(0.5 * mu * scene.load).epsilon(2e-2));
-
-    // spin alone: no longitudinal force, and the pole of slip lies in the contact
-    const Solved spin = solve(model, {0, 0, 1});
-    const auto turning = scene.ratios(spin.step.force);
-    CHECK(std::abs(turning[0]) < 1e-13);
-    CHECK(turning[1] > 0.1);
-    CHECK(spin.slip.col(1).minCoeff() < 0);
-    CHECK(spin.slip.col(1).maxCoeff() > 0);
+    CHECK(sliding.slip_work == Approx(0.5 * mu * scene.load).epsilon(2e-2));
     // M_z of full sliding about the middle, 3 pi/16 mu N a of a circle
     const Scene circle(5e-3, 5e-3, 8, 8);
-    const auto full = circle.ratios(solve(circle.steady(), {0, 0, 1e4}).step.force);
+    const auto full = circle.ratios(solve(circle.steady(), {0, 0, 1e4}).force);
     CHECK(std::abs(full[0]) < 1e-10);
     CHECK(std::abs(full[1]) < 1e-3);
     CHECK(full[2] == Approx(3 * std::numbers::pi / 16).epsilon(1e-2));
 
-    // the mirror image at -y: F_y and M_z change their signs with eta and phi
-    const Creepage some{1e-3, 5e-4, 0.2};
-    const TangentialForce force = solve(model, some).step.force,
-                          mirrored = solve(model, {1e-3, -5e-4, -0.2}).step.force,
-                          opposite = solve(model, {-1e-3, -5e-4, -0.2}).step.force;
-    CHECK(mirrored.longitudinal == Approx(force.longitudinal).epsilon(1e-11));
-    CHECK(mirrored.lateral == Approx(-force.lateral).epsilon(1e-11));
-    CHECK(mirrored.moment == Approx(-force.moment).epsilon(1e-11));
-    CHECK(opposite.longitudinal == Approx(-force.longitudinal).epsilon(1e-11));
-    CHECK(opposite.moment == Approx(-force.moment).epsilon(1e-11));
-
     // one element
     const Scene single(5e-3, 5e-3, 1, 1);
-    const auto alone = solve(single.steady(), {1, 0, 0});
-    CHECK(alone.step.status == Status::ok);
-    CHECK(alone.step.force.longitudinal == Approx(-mu * single.load).epsilon(1e-14));
-    CHECK(alone.step.slip_work > 0);
+    const FrictionStep alone = solve(single.steady(), {1, 0, 0});
+    CHECK(alone.status == Status::ok);
+    CHECK(alone.force.longitudinal == Approx(-mu * single.load).epsilon(1e-14));
+    CHECK(alone.slip_work > 0);
 }
 
-TEST_CASE("patch_friction: bad input and foreign states") {
+TEST_CASE("patch_friction: a patch of another shape is another one") {
     const Scene scene(6e-3, 4e-3, 4, 4), other(4e-3, 6e-3, 4, 4);
     CHECK_THROWS_WITH(FrictionModel(scene.contact, steady_system(other.mesh, chebyshev, scene.kernel), scene.friction),
                       ContainsSubstring("a/b of the patch over a/b of its system"));
-    CHECK_THROWS_WITH(hertz_pressures(scene.contact, scene.mesh, 0), ContainsSubstring("load"));
-    CHECK(hertz_pressures(scene.contact, scene.mesh, 2)
-                  .matrix()
-                  .dot(patch_elements(scene.mesh, chebyshev).areas.matrix()) *
-              6e-3 * 6e-3 ==
-          Approx(2).epsilon(1e-13));
     const auto system = rolling_system(scene.mesh, chebyshev, scene.kernel);
     const FrictionModel model(scene.contact, system,
                               judge_stability(patch_subsystems(scene.mesh, chebyshev, scene.kernel)), scene.friction);
     CHECK(model.fingerprint() == scene.steady().fingerprint());
     CHECK(model.fingerprint() != other.steady().fingerprint());
-    auto workspace = model.workspace();
-    auto state = model.at_rest();
-    CHECK(model.steady(other.steady().at_rest(), {.motion = {1e-3, 0, 0}}, state, workspace).status ==
-          Status::wrong_state);
 }
 
 }  // namespace patch_friction_tests

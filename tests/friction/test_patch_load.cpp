@@ -2,7 +2,6 @@
 // (rollbem/normal/hertz.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_system.hpp),
 // with friction and in full adhesion.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -26,7 +25,7 @@ namespace {
 constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double mu = 0.3, nu = 0.28, G = 8e10, a_0 = 5e-3, N_0 = 8e4;
 const HalfSpace<double> kernel(nu);
-using Forces = std::array<double, 3>;
+using Forces = Eigen::ArrayX3d;  // -F_x, -F_y over mu N_0 and -M_z over mu N_0 c, a row for each place
 using Model = FrictionModel;
 using State = FrictionState;
 
@@ -35,21 +34,8 @@ const PatchShapes<double>& shapes() {
     return made;
 }
 
-double mean_difference(const std::vector<Forces>& one, const std::vector<Forces>& other) {
-    double sum = 0;
-    for (std::size_t k = 0; k < one.size(); ++k) {
-        for (std::size_t i = 0; i < 3; ++i) sum += (one[k][i] - other[k][i]) * (one[k][i] - other[k][i]);
-    }
-    return std::sqrt(sum / (3 * static_cast<double>(one.size())));
-}
-
-double largest_difference(const std::vector<Forces>& one, const std::vector<Forces>& other) {
-    double largest = 0;
-    for (std::size_t k = 0; k < one.size(); ++k) {
-        for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
-    }
-    return largest;
-}
+double mean_difference(const Forces& one, const Forces& other) { return std::sqrt((one - other).square().mean()); }
+double largest_difference(const Forces& one, const Forces& other) { return (one - other).abs().maxCoeff(); }
 
 /// An ellipse with a = a_0 under N_0 that breathes, N = N_0 (1 + 0.5 sin(2 pi q/8)), q in a_0; creepages that mu N_0
 /// would cause without slip.
@@ -76,46 +62,43 @@ struct Scene {
 
     Forces ratios(const TangentialForce& force) const {
         const double unit = -mu * N_0;
-        return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
+        return Forces{{force.longitudinal / unit, force.lateral / unit, force.moment / unit / c}};
     }
 
     /// Forces at q = `every`, 2 `every`, ... 8, from rest in steps of dq, under load_at(a/a_0).
     /// `alone`: slip is turned by the angles of each step alone.
     template <class OfModel, class LoadAt>
-    std::vector<Forces> roll(const OfModel& model, const LoadAt& load_at, double dq, double every,
-                             bool alone = false) const {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        std::vector<Forces> result;
+    Forces roll(const OfModel& model, const LoadAt& load_at, double dq, double every, bool alone = false) const {
+        Run run(model);
+        Forces result(std::lround(8 / every), 3);
         for (int k = 1; k <= std::lround(8 / dq); ++k) {
-            if constexpr (requires { now.unrotated_traction; }) {
-                if (alone) now.unrotated_traction.resize(0, 2);
+            if constexpr (requires { run.now().unrotated_traction; }) {
+                if (alone) run.now().unrotated_traction.resize(0, 2);
             }
             const auto load = load_at(std::cbrt(Scene::load(k * dq) / N_0));
-            const auto step = model.advance(now, {dq * a_0, creepage, load}, next, workspace);
+            const auto step = run.advance({dq * a_0, creepage, load});
             REQUIRE(step.status == Status::ok);
-            std::swap(now, next);
-            if (k % std::lround(every / dq) == 0) result.push_back(ratios(step.force));
+            if (k % std::lround(every / dq) == 0) result.row(k / std::lround(every / dq) - 1) = ratios(step.force);
         }
         return result;
     }
-    std::vector<Forces> friction(const Model& model, double dq, double every = 0.4, bool alone = false) const {
+    Forces friction(const Model& model, double dq, double every = 0.4, bool alone = false) const {
         const auto load_at = [&](double size) {
             return NormalLoad{size * model.at_rest().normal_pressure, size * a_0, {}, size * contact.half_width()};
         };
         return roll(model, load_at, dq, every, alone);
     }
-    std::vector<Forces> adhesion(const AdhesionModel<2>& model, double dq) const {
+    Forces adhesion(const AdhesionModel<2>& model, double dq) const {
         const auto load_at = [&](double size) { return SemiAxes{size * a_0, size * contact.half_width()}; };
         return roll(model, load_at, dq, 0.4);
     }
 };
 
-HertzEllipse ellipse(double load) {
+HertzEllipse ellipse(double load, double lateral = 0.3) {
     const ElasticBody steel{.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu};
     return HertzEllipse({.load = load,
                          .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
-                         .radii_2 = {.rolling = INFINITY, .lateral = 0.3},
+                         .radii_2 = {.rolling = INFINITY, .lateral = lateral},
                          .body_1 = steel,
                          .body_2 = steel});
 }
@@ -139,13 +122,9 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     auto to = model.at_rest();
     same(model.advance(model.at_rest(), {dq, {{xi, eta, phi}}}, to, workspace).force);
     same(model.advance(model.at_rest(), {dq, {xi, eta, phi}, load}, to, workspace).force);
-    const FrictionModel any(model);
-    same(Run(any).advance({{dq, 1}, {xi, eta, phi}, load}).force);
-    CHECK(Run(any).steady({Travel::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
+    same(Run(model).advance({{dq, 1}, {xi, eta, phi}, load}).force);
+    CHECK(Run(model).steady({Travel::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
           Run(model).steady({.motion = {xi, eta, phi}}).force.lateral);
-    auto own = any.workspace();
-    auto state = any.at_rest();
-    CHECK(any.steady(any.at_rest(), {Travel::at_speed(1.0), {xi, eta, phi}}, state, own).status == Status::ok);
     const AdhesionModel<2> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
     CHECK(Run(adhesion).advance({dq, {{xi, eta, phi}}}).force.lateral ==
           Run(adhesion).advance({dq, scene.creepage}).force.lateral);
@@ -153,7 +132,7 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
 
 TEST_CASE("patch_load: forces of an ellipse that breathes") {
     // of another program, at q = 2, 4, 6, 8, by implicit Euler with dq = 0.05
-    const auto error = [](double a_over_b, Eigen::Index n, const std::vector<Forces>& expected) {
+    const auto error = [](double a_over_b, Eigen::Index n, const Forces& expected) {
         const Scene scene(a_over_b, n);
         const Model model = scene.model(scene.breathing(), Integrator::implicit_euler);
         return largest_difference(scene.friction(model, 0.05, 2, true), expected);
@@ -199,11 +178,10 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
             const auto system = single ? scene.breathing() : shapes().system(1);
             const Model rolling = scene.model(system, integrator, 1e6);
             const AdhesionModel<2> sticking(scene.contact, system, unchecked, integrator);
-            auto workspace = rolling.workspace();
-            auto other = sticking.workspace();
-            auto state = rolling.at_rest(), next = state;
-            auto unbound = sticking.at_rest(), unbound_next = unbound;
-            NormalLoad load{state.normal_pressure, a_0, state.normal_pressure, a_0};
+            Run run(rolling);
+            Run unbound(sticking);
+            const ArrayX<double> pressure = run.now().normal_pressure;
+            NormalLoad load{pressure, a_0, pressure, a_0};
             double a = a_0, b = a_0;
             for (int k = 0; k < 5; ++k) {
                 a += 0.07 * a_0;
@@ -212,8 +190,8 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
                 load.half_width = b;
                 const double dq = (0.1 + 0.05 * k) * a_0;
                 const auto motion = RigidMotion<Creepage>::linear(scene.creepage, {1e-4, -2e-4, 0.5});
-                const auto step = rolling.advance(state, {dq, motion, load}, next, workspace);
-                const auto expected = sticking.advance(unbound, {dq, motion, SemiAxes{a, b}}, unbound_next, other);
+                const auto step = run.advance({dq, motion, load});
+                const auto expected = unbound.advance({dq, motion, SemiAxes{a, b}});
                 REQUIRE(step.status == Status::ok);
                 REQUIRE(expected.status == Status::ok);
                 REQUIRE(step.stick_count == rolling.size());
@@ -225,15 +203,13 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
                     CHECK(one.moment == Approx(two.moment).margin(1e-10 * scale * a_0));
                 };
                 same(step.force, expected.force);
-                same(rolling.force(next), step.force);
-                same(sticking.force(unbound_next), step.force);
+                same(rolling.force(run.now()), step.force);
+                same(sticking.force(unbound.now()), step.force);
                 same(step.tangent.by_longitudinal, expected.tangent.by_longitudinal);
                 same(step.tangent.by_lateral, expected.tangent.by_lateral);
                 same(step.tangent.by_spin, expected.tangent.by_spin);
                 same(step.tangent_by_half_length, expected.tangent_by_half_length);
                 same(step.tangent_by_half_width, expected.tangent_by_half_width);
-                std::swap(state, next);
-                std::swap(unbound, unbound_next);
             }
         }
     }
@@ -264,16 +240,15 @@ TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape 
         const Scene scene(1, n);
         const PatchShapes<double> made(n, n, chebyshev, kernel, {.least = 0.4, .largest = 2.5, .factor = 1.4});
         const Model model = scene.model(made.system(1), Integrator::sdirk2);
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        NormalLoad load{now.normal_pressure, a_0, {}, a_0};
+        Run run(model);
+        NormalLoad load{run.now().normal_pressure, a_0, {}, a_0};
         double work = 0, heat = 0;
         TangentialForce before{0, 0, 0};
         constexpr double dq = 0.1;
         for (int k = 1; k <= 30; ++k) {
             load.half_length = a_0 * (1 + 0.4 * std::sin(0.9 * dq * k));
             load.half_width = a_0 * (1 - 0.3 * std::sin(0.7 * dq * k));
-            const auto step = model.advance(now, {dq * a_0, scene.creepage, load}, next, workspace);
+            const auto step = run.advance({dq * a_0, scene.creepage, load});
             REQUIRE(step.status == Status::ok);
             heat += step.slip_work;
             const auto power = [&](const TangentialForce& force) {
@@ -282,9 +257,8 @@ TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape 
             };
             work += dq * a_0 * (power(before) + power(step.force)) / 2;
             before = step.force;
-            std::swap(now, next);
         }
-        const double elastic = model.elastic_energy(now);
+        const double elastic = model.elastic_energy(run.now());
         CHECK(elastic > 0.05 * work);
         // of either sign, by the elements
         CHECK(std::abs(heat + elastic - work) < 4e-3 * work);
@@ -306,11 +280,10 @@ TEST_CASE("patch_load: shapes between the nodes") {
     // creep coefficients of any shape from the model of one
     const Scene circle(1, 6);
     const AdhesionModel<2> model(circle.contact, shapes().system(1), judge_stability(shapes()));
-    auto workspace = model.workspace();
-    auto state = model.at_rest(), steady = state;
-    state.half_length = 0.9 * a_0;
-    state.half_width = state.half_length / a_over_b;
-    const auto step = model.steady(state, {.motion = {1e-3, 0, 0}}, steady, workspace);
+    Run run(model);
+    run.now().half_length = 0.9 * a_0;
+    run.now().half_width = 0.9 * a_0 / a_over_b;
+    const auto step = run.steady({.motion = {1e-3, 0, 0}});
     REQUIRE(step.status == Status::ok);
     const auto expected = creep_coefficients(scene.contact, solve_steady(scene.contact, scene.mesh, chebyshev, kernel));
     const double c = 0.9 * scene.c, unit = -G * c * c;
@@ -320,29 +293,18 @@ TEST_CASE("patch_load: shapes between the nodes") {
     CHECK(step.tangent.by_spin.moment / unit / c / c == Approx(expected.c33).epsilon(2e-5));
     CHECK(step.force.longitudinal == Approx(1e-3 * step.tangent.by_longitudinal.longitudinal));
 
-    // and steady friction
+    // and steady friction, of another size too
     const Model rolling = circle.model(shapes().system(1), Integrator::sdirk2);
-    const FrictionModel own(scene.contact, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
-    auto first = rolling.workspace();
-    auto second = own.workspace();
-    auto now = rolling.at_rest(), then = own.at_rest();
-    const NormalLoad load{scene.pressure(), a_0, {}, scene.contact.half_width()};
-    const auto one = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = load}, now, first);
-    const auto two = own.steady(own.at_rest(), {.motion = scene.creepage}, then, second);
-    REQUIRE(one.status == Status::ok);
-    CHECK(largest_difference({scene.ratios(one.force)}, {scene.ratios(two.force)}) < 3e-5);
-    // of another size
     const PatchContact small({.half_length = 0.9 * a_0,
                               .half_width = 0.9 * scene.contact.half_width(),
                               .shear_modulus = G,
                               .poisson_ratio = nu});
-    const FrictionModel alike(small, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
-    const NormalLoad shorter{scene.pressure(), small.half_length(), {}, small.half_width()};
-    auto third = alike.workspace();
-    const auto given = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = shorter}, now, first);
-    const auto made = alike.steady(alike.at_rest(), {.motion = scene.creepage}, then, third);
+    const FrictionModel own(small, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
+    const NormalLoad load{scene.pressure(), small.half_length(), {}, small.half_width()};
+    const auto given = Run(rolling).steady({.motion = scene.creepage, .load = load});
     REQUIRE(given.status == Status::ok);
-    CHECK(largest_difference({scene.ratios(given.force)}, {scene.ratios(made.force)}) < 3e-5);
+    CHECK(largest_difference(scene.ratios(given.force),
+                             scene.ratios(Run(own).steady({.motion = scene.creepage}).force)) < 3e-5);
 
     // a system of many shapes that keeps its shape equals a system of one
     const auto shaped = circle.friction(rolling, 0.4);
@@ -351,8 +313,6 @@ TEST_CASE("patch_load: shapes between the nodes") {
     CHECK_THROWS_WITH(shapes().system(3), ContainsSubstring("a_over_b = 3 must lie in the range"));
     CHECK_THROWS_WITH(PatchShapes<double>(4, 4, chebyshev, kernel, {.least = 1, .largest = 1}),
                       ContainsSubstring("largest a/b"));
-    CHECK_THROWS_WITH(Model(scene.contact, shapes().system(1), unchecked, {mu, scene.pressure()}),
-                      ContainsSubstring("a/b of the patch over a/b of its system"));
 }
 
 TEST_CASE("patch_load: what a mesh cannot follow has a status") {
@@ -380,8 +340,6 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
         CHECK(status(*model, 1, 1) == Status::ok);
         CHECK(status(*model, 1, 0) == Status::ok);               // b stays the state's
         CHECK(status(*model, 1.05, 0) == Status::invalid_load);  // either of b and a/b might stay
-        CHECK(status(*model, 1, -1) == Status::invalid_load);
-        CHECK(status(*model, 1, NAN) == Status::invalid_load);
         CHECK(status(*model, 1, 1, 0.1, NAN) == Status::invalid_load);
         CHECK(status(*model, 1, 1, 0.1, 0) == Status::invalid_load);
     }
@@ -401,15 +359,14 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     const FrictionModel line(
         contact, rolling_system(cosine_mesh<double>(4), chebyshev, StripKernel<double>::longitudinal(contact)),
         unchecked, {mu, ArrayX<double>::Ones(4)});
-    auto workspace = line.workspace();
-    auto from = line.at_rest(), to = from;
-    from.half_width = 0;  // not read
+    Run run(line);
+    run.now().half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
-        const NormalLoad load{from.normal_pressure, a_0, {}, b};
-        CHECK(line.advance(from, {1e-4, Creepage{1e-3}, load}, to, workspace).status ==
+        const NormalLoad load{run.now().normal_pressure, a_0, {}, b};
+        CHECK(run.advance({1e-4, Creepage{1e-3}, load}).status ==
               (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
-    CHECK(to.half_width == 2e-3);
+    CHECK(run.now().half_width == 2e-3);
 }
 
 TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one") {
@@ -431,23 +388,15 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
         }
         CHECK(load.half_length == largest.half_length());
         CHECK(load.half_width == largest.half_width());
-        for (const double N : {-1.0, double(NAN), double(INFINITY)}) {
-            CHECK(hertz.set(N, load) == Status::invalid_load);
-            CHECK(load.check(mesh.size()) == Status::invalid_load);
-        }
-        CHECK(hertz.set(0, load) == (hertz.breathes() ? Status::invalid_load : Status::ok));
         if (!hertz.breathes()) {
+            CHECK(hertz.set(0, load) == Status::ok);
             CHECK(load.normal_pressure.maxCoeff() == 0);
             CHECK((load.pressure_rate * areas).sum() * contact.half_length() * contact.half_length() ==
                   Approx(1).epsilon(1e-12));
             CHECK((load.pressure_rate > 0).count() == 2);  // the middle lies on an edge between two elements
         }
         // other radii: the ellipse of the moment
-        const HertzEllipse other({.load = 0.5 * N_0,
-                                  .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
-                                  .radii_2 = {.rolling = INFINITY, .lateral = 0.2},
-                                  .body_1 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu},
-                                  .body_2 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu}});
+        const HertzEllipse other = ellipse(0.5 * N_0, 0.2);
         REQUIRE(hertz.set(other, load) == Status::ok);
         CHECK(load.half_length == (hertz.breathes() ? other : largest).half_length());
         CHECK(load.half_width == (hertz.breathes() ? other : largest).half_width());
@@ -460,10 +409,7 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
 
 TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three elements or narrower than three strips") {
     const HertzEllipse largest = ellipse(N_0);
-    const PatchContact contact({.half_length = largest.half_length(),
-                                .half_width = largest.half_width(),
-                                .shear_modulus = G,
-                                .poisson_ratio = nu});
+    const PatchContact contact = largest.contact();
     for (const auto& [along, across] : {std::pair(5, 1), {9, 4}, {4, 7}, {20, 3}}) {
         CAPTURE(along, across);
         const PatchMesh<double> mesh = patch_mesh(contact, uniform_mesh(along), uniform_mesh(across));

@@ -4,9 +4,9 @@
 #include <limits>
 #include <type_traits>
 
-#include <rollbem/line.hpp>
 #include <rollbem/patch.hpp>
 
+#include "friction/any_model.hpp"
 #include "support/catch.hpp"
 
 namespace rigid_slip_tests {
@@ -21,14 +21,6 @@ constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double G = 8e10, a = 5e-3, mu = 0.3, V = 20;
 constexpr Travel travel{0.2 * a, 0.2 * a / V};
 constexpr Creepage some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
-
-/// A patch with a constant coefficient or one that falls with slip.
-FrictionModel patch(const Friction::Law& law, Integrator integrator = Integrator::sdirk2) {
-    const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
-    const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
-    return {contact, rolling_system(mesh, chebyshev, HalfSpace<double>(0.28)), unchecked,
-            Friction{law, hertz_pressures(contact, mesh, 6e4)}, integrator};
-}
 
 /// The rigid slip of a creepage at the points of the equations.
 Vectors rows_of(const Elements<double>& elements, const Creepage& creepage) {
@@ -46,12 +38,12 @@ double difference(const TangentialForce& one, const TangentialForce& two) {
 TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
     const Friction::Law law = GENERATE(0, 1) == 0 ? Friction::Law(mu) : Friction::Law(ExponentialFall{mu, 0.2, 0.05});
     const PatchContact contact({.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
-    const auto elements = patch_mesh(contact, 6, 5);
-    const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();
-    const Vectors first = rows_of(places, some), last = rows_of(places, other);
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
+    const ElementSystem system = rolling_system(mesh, chebyshev, HalfSpace<double>(0.28));
+    const Vectors first = rows_of(system.elements(), some), last = rows_of(system.elements(), other);
     const Vectors shift = first * travel.dq, half_last = last / 2;
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const auto model = patch(law, integrator);
+        const FrictionModel model(contact, system, unchecked, {law, hertz_pressures(contact, mesh, 6e4)}, integrator);
         auto workspace = model.workspace(), by_rows = model.workspace();
         auto now = model.at_rest(), next = now, following = now;
         const auto same = [&](const FrictionStep& expected, const FrictionStep& step) {
@@ -83,79 +75,60 @@ TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
     }
 }
 
-/// Two directions that do not couple, from ready matrices: slip is not turned, and nothing but rows can vary it.
-struct Line {
-    Contact contact = Contact::dimensionless(100, 0.28);
-    Mesh<double> mesh = cosine_mesh<double>(24);
-    ElementSystem<double> along = system(PlaneKernel<double>::longitudinal(contact)),
-                          across = system(PlaneKernel<double>::lateral(contact));
-    ArrayX<double> pressure = mean_hertz_pressure(mesh), x = mesh.centres() + mesh.widths() / 2;
-    Vectors rows = [this] {
-        Vectors bent(24, 2);
-        bent.col(0) = 0.9 * (x.square() - 0.3 * x);
-        bent.col(1) = 0.6 * (x - 0.5 * x.square());
-        return bent;
-    }();
-
-    ElementSystem<double> system(const PlaneKernel<double>& kernel) const {
-        const ElementSystem<double> own = rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
-        return {own.G(), own.G_prime(), own.weights()};
-    }
-    FrictionModel one(Eigen::Index direction) const {
-        return {contact, along, unchecked, {1, pressure}, Integrator::implicit_euler, direction};
-    }
-    FrictionModel both() const {
-        return {contact, {along, across}, unchecked, {1, pressure}, Integrator::implicit_euler};
-    }
-};
+/// A line whose slip is not turned, with equal kernels in both directions, and slip that nothing but rows can vary so.
+const any_model::Setup line{
+    .directions = 2, .integrator = Integrator::implicit_euler, .mesh = cosine_mesh<double>(24), .nu = 0};
+Vectors bent_rows() {
+    const ArrayX<double> x = line.mesh.centres() + line.mesh.widths() / 2;
+    Vectors rows(24, 2);
+    rows.col(0) = 0.6 * any_model::sliding * (x.square() - 0.3 * x);
+    rows.col(1) = 0.4 * any_model::sliding * (x - 0.5 * x.square());
+    return rows;
+}
 
 TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
-    const Line line;
-    const Vectors rows = line.rows;
-    const auto own = [&](const auto& model, const auto& motion) {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        REQUIRE(model.steady(now, {Travel::at_speed(1), motion}, next, workspace).status == Status::ok);
-        return model.advance(next, {Travel{0.1, 1}, motion}, now, workspace);
+    const Vectors rows = bent_rows(), crossed = rows.rowwise().reverse();
+    const auto force = [](int directions, bool across, const Motion& motion) {
+        any_model::Setup setup = line;
+        setup.directions = directions;
+        setup.across = across;
+        const FrictionModel model = any_model::make(setup);
+        Run run(model);
+        REQUIRE(run.steady({Travel::at_speed(1), motion}).status == Status::ok);
+        return run.advance({Travel{0.1 * any_model::a, 1}, motion}).force;
     };
-    const Vectors crossed = rows.rowwise().reverse();
-    const auto along = own(line.one(0), Motion(0.2, 0).with_rows(rows));
-    const auto across = own(line.one(1), Motion(0, 0.2).with_rows(crossed));
-    CHECK(along.force.longitudinal != own(line.one(0), Motion(0.2, 0)).force.longitudinal);
-    CHECK(along.force.lateral == 0);
-    CHECK(across.force.lateral == along.force.longitudinal);
-    CHECK(across.force.longitudinal == 0);
+    const double creeps = any_model::creepage(0.14).longitudinal;
+    const TangentialForce along = force(1, false, Motion(creeps, 0).with_rows(rows)),
+                          across = force(1, true, Motion(0, creeps).with_rows(crossed));
+    CHECK(along.longitudinal != force(1, false, Motion(creeps, 0)).longitudinal);
+    CHECK(along.lateral == 0);
+    CHECK(across.lateral == along.longitudinal);
+    CHECK(across.longitudinal == 0);
     // the half of both directions without slip across
     Vectors alone = rows;
     alone.col(1).setZero();
-    const auto both = own(line.both(), Motion(0.2, 0).with_rows(alone));
-    CHECK(both.force.longitudinal == Approx(along.force.longitudinal).epsilon(1e-12));
+    const TangentialForce both = force(2, false, Motion(creeps, 0).with_rows(alone));
+    CHECK(both.longitudinal == Approx(along.longitudinal).epsilon(1e-12));
 }
 
 TEST_CASE("Slip by rows of another number, or not finite, is refused", "[friction]") {
-    const Line line;
-    const auto model = line.both();
-    auto workspace = model.workspace();
-    const auto now = model.at_rest();
-    auto next = now;
+    const FrictionModel model = any_model::make(line);
+    Run run(model);
     const auto refused = [&](const Motion& motion, Status status) {
-        CHECK(model.steady(now, {Travel::at_speed(1), motion}, next, workspace).status == status);
-        CHECK(model.advance(now, {0.1, motion}, next, workspace).status == status);
-        CHECK(next.traction == now.traction);
+        CHECK(run.steady({Travel::at_speed(1), motion}).status == status);
+        CHECK(run.advance({1e-4, motion}).status == status);
+        CHECK(run.next().traction.isZero(0));
     };
-    Vectors rows = line.rows;
+    Vectors rows = bent_rows();
     const Vectors fewer = rows.topRows(23);
     refused(Motion({}).with_rows(fewer), Status::invalid_step);
     refused(Motion({}).with_rows(rows, fewer), Status::invalid_step);
-    CHECK(model.steady(now, {Travel::at_speed(1), Motion::shift({})}, next, workspace).status == Status::invalid_step);
+    CHECK(run.steady({Travel::at_speed(1), Motion::shift({})}).status == Status::invalid_step);
     rows(3, 1) = std::numeric_limits<double>::quiet_NaN();
     refused(Motion({}).with_rows(rows), Status::not_finite);
-    const AdhesionModel<> adhesion(line.contact, line.along, unchecked);
-    auto traction = adhesion.at_rest(), to = traction;
-    auto factors = adhesion.workspace();
-    const Eigen::VectorXd slip = line.rows.col(0);
-    CHECK(adhesion.advance(traction, {0.1, RigidMotion<double>(1e-3).with_rows(slip)}, to, factors).status ==
-          Status::invalid_step);
+    const AdhesionModel<> adhesion(line.contact(), line.system(false), unchecked);
+    const Eigen::VectorXd slip = bent_rows().col(0);
+    CHECK(Run(adhesion).advance({1e-4, RigidMotion<double>(1e-3).with_rows(slip)}).status == Status::invalid_step);
 }
 
 template <class First, class... Last>

@@ -285,10 +285,11 @@ TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integr
         }
         CHECK(std::abs(xi / creepage(ratio) - 1) < 1e-6);
         CHECK(std::abs(-solution.force_per_width - force) < 1e-6 * full_force);
+        CHECK(-solution.traction(-0.9) == Approx(table(-0.9)));
+        if (ratio != 0.3) continue;
         const double elements =
             plain_force(plane.contact, plane.kernel, cosine_mesh<double>(640), table, creepage(ratio));
         CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
-        CHECK(-solution.traction(-0.9) == Approx(table(-0.9)));
     }
     // on a strip, where the unknowns are not adapted to the kinks
     const Contact contact = Contact::dimensionless(1, nu);

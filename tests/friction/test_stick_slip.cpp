@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -180,20 +179,6 @@ TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", 
     CHECK(tangents > 900);
 }
 
-// An eigenvalue of the circulant matrix with this first row vanishes.
-bool is_singular_circulant(const VectorX<double>& first) {
-    const Eigen::Index n = first.size();
-    for (Eigen::Index j = 0; j < n; ++j) {
-        std::complex<double> eigenvalue = 0;
-        for (Eigen::Index k = 0; k < n; ++k) {
-            eigenvalue += first[k] * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(j * k % n) /
-                                                         static_cast<double>(n));
-        }
-        if (std::abs(eigenvalue) < 1e-12) return true;
-    }
-    return false;
-}
-
 TEST_CASE("A solution is found if all elements are alike", "[friction]") {
     // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
     drawn::Draw draw(1);
@@ -214,7 +199,7 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         REQUIRE(outcome.status == Status::ok);
         REQUIRE(problem.violation(solver.solution.traction()) < 1e-9);
         REQUIRE(outcome.path_points == 0);  // full sliding is near enough
-        singular += is_singular_circulant(first) ? 1 : 0;
+        singular += first.sum() == 0 ? 1 : 0;  // equal tractions cause no slip
     }
     CHECK(singular > 1000);
 }

@@ -29,6 +29,11 @@ inline Eigen::Vector3d vector(const TangentialForce& force) {
     return {force.longitudinal, force.lateral, force.moment};
 }
 inline double vector(double force) { return force; }
+inline Eigen::Matrix3d matrix(const TangentialForce::ByCreepage& tangent) {
+    Eigen::Matrix3d columns;
+    columns << vector(tangent.by_longitudinal), vector(tangent.by_lateral), vector(tangent.by_spin);
+    return columns;
+}
 
 /// A creepage of about `size` in a random direction.
 inline Creepage drawn_creepage(Draw& draw, double size, double c) {
@@ -44,6 +49,15 @@ RigidMotion<Value> motion_of(int kind, const Value& start, const Value& end, con
 }
 inline double times(double dq, double of) { return dq * of; }
 inline Creepage times(double dq, const Creepage& of) { return {dq * of.longitudinal, dq * of.lateral, dq * of.spin}; }
+
+/// Asks for a step of each kind of motion.
+template <class Scene, class Step>
+void ask_each_kind(Scene& scene, const Numbers& x, const Step& step) {
+    for (int k = 0; k < 3; ++k) {
+        step(scene, x);
+        scene.kind = (scene.kind + 1) % 3;
+    }
+}
 
 inline const PatchShapes<double>& shapes() {
     static const PatchShapes<double> made(4, 3, chebyshev, HalfSpace<double>(nu),
@@ -130,13 +144,8 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         answer.values.setConstant(nan);
         answer.values.head(forces) << vector(found.force);
         const double per = on.kind == 2 ? dq : 1;
-        for (Eigen::Index j = 0; j < forces; ++j) {
-            if constexpr (directions == 1) answer.tangent(0, 0) = per * found.tangent;
-            if constexpr (directions == 2) {
-                const auto& by = found.tangent;
-                answer.tangent.col(j) = per * vector(j == 0 ? by.by_longitudinal : j == 1 ? by.by_lateral : by.by_spin);
-            }
-        }
+        if constexpr (directions == 1) answer.tangent(0, 0) = per * found.tangent;
+        if constexpr (directions == 2) answer.tangent.leftCols(3) = per * matrix(found.tangent);
         if (axes > 0) answer.tangent.col(forces) << vector(found.tangent_by_half_length);
         if (axes > 1) answer.tangent.col(forces + 1) << vector(found.tangent_by_half_width);
         if (found.status == Status::ok) {
@@ -187,14 +196,7 @@ ForceElement adhesion_step(Stuck what, Integrator integrator) {
         return step(other, x);
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
-    result.distract = [=](const Numbers& x) {
-        const int own_kind = scene->kind;
-        for (int kind = 0; kind < 3; ++kind) {
-            scene->kind = (own_kind + kind) % 3;
-            step(*scene, x);
-        }
-        scene->kind = own_kind;
-    };
+    result.distract = [=](const Numbers& x) { ask_each_kind(*scene, x, step); };
     result.refusals = {{std::size_t(own), {-1, nan, infinite, -infinite}, Status::invalid_step}};
     for (Eigen::Index j = 0; j < forces; ++j) {
         result.refusals.push_back({std::size_t(j), {nan, infinite, -infinite}, Status::not_finite});
@@ -265,23 +267,19 @@ struct Body {
             const PatchContact contact(
                 {.half_length = a_0, .half_width = half_width(), .shear_modulus = G, .poisson_ratio = nu});
             const Friction of = friction(hertz_pressures(contact, patch_mesh(contact, 4, 3), load()));
-            if (by == By::alone) {
-                return {contact, steady_system(patch_mesh(contact, 4, 3), chebyshev, HalfSpace<double>(nu)), of};
-            }
-            return {contact, shapes().system(a_over_b), unchecked, of, integrator};
+            if (by != By::alone) return {contact, shapes().system(a_over_b), unchecked, of, integrator};
+            return {contact, steady_system(patch_mesh(contact, 4, 3), chebyshev, HalfSpace<double>(nu)), of};
         }
         const Contact contact({.half_length = a_0, .half_width = 10 * a_0, .shear_modulus = G, .poisson_ratio = nu});
         const Mesh<double> mesh = cosine_mesh(8);
         const Friction of = friction(peak * mean_hertz_pressure(mesh));
-        const auto x = PlaneKernel<double>::longitudinal(contact), y = PlaneKernel<double>::lateral(contact);
-        if (by == By::alone) {
-            const auto along = steady_system(mesh, chebyshev, x);
-            if (what == Rolling::one) return {contact, along, of};
-            return {contact, ElementSystem(along, steady_system(mesh, chebyshev, y)), of};
-        }
-        const auto along = rolling_system(mesh, chebyshev, x);
+        const auto system = [&](const PlaneKernel<double>& kernel) {
+            return by == By::alone ? steady_system(mesh, chebyshev, kernel) : rolling_system(mesh, chebyshev, kernel);
+        };
+        const auto along = system(PlaneKernel<double>::longitudinal(contact));
         if (what == Rolling::one) return {contact, along, unchecked, of, integrator};
-        return {contact, ElementSystem(along, rolling_system(mesh, chebyshev, y)), unchecked, of, integrator};
+        const ElementSystem both(along, system(PlaneKernel<double>::lateral(contact)));
+        return {contact, both, unchecked, of, integrator};
     }
 };
 
@@ -377,17 +375,11 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         Answer answer{Numbers(forces + (columns + 1) * n), Tangent(forces, own), found.status};
         answer.values.setConstant(nan);
         answer.values.head(forces) = vector(found.force).head(forces);
-        for (Eigen::Index j = 0; j < own; ++j) {
-            const Eigen::Index k = j < forces ? j : j - forces + 3;
-            const double per = on.kind == 2 && k < 3 ? dq : 1;
-            answer.tangent.col(j) = per * vector(k == 0   ? found.tangent.by_longitudinal
-                                                 : k == 1 ? found.tangent.by_lateral
-                                                 : k == 2 ? found.tangent.by_spin
-                                                 : k == 3 ? found.tangent_by_load
-                                                 : k == 4 ? found.tangent_by_half_length
-                                                          : found.tangent_by_half_width)
-                                              .head(forces);
-        }
+        answer.tangent.leftCols(forces) = (on.kind == 2 ? dq : 1) * matrix(found.tangent).topLeftCorner(forces, forces);
+        Eigen::Matrix3d by_load;
+        by_load << vector(found.tangent_by_load), vector(found.tangent_by_half_length),
+            vector(found.tangent_by_half_width);
+        answer.tangent.rightCols(own - forces) = by_load.topLeftCorner(forces, own - forces);
         if (found.status != Status::ok) {
             answer.keeps_target =
                 on.target != &on.to || (same_bits::same(on.to, on.mark) && on.workspace.slip_work().sum() == worked);
@@ -433,15 +425,7 @@ inline ForceElement friction(Rolling what, By by, Law law, bool plain = false) {
         return any();
     };
     result.forget = [scene] { scene->workspace = scene->model.workspace(); };
-    result.distract = [=](const Numbers& x) {
-        if (!in_time) return;
-        const int own_kind = scene->kind;
-        for (int kind = 0; kind < 3; ++kind) {
-            scene->kind = (own_kind + kind) % 3;
-            step(*scene, x);
-        }
-        scene->kind = own_kind;
-    };
+    if (in_time) result.distract = [=](const Numbers& x) { ask_each_kind(*scene, x, step); };
     if (forces == 3) result.symmetries = {{"across the track", "+--", "+--"}, {"backward motion", "---", "---"}};
     for (Symmetry& symmetry : result.symmetries) {
         symmetry.inputs += std::string(std::size_t(own + travel - forces), '+');

@@ -7,11 +7,6 @@
 #include <cstdint>
 #include <limits>
 
-#include <Eigen/Core>
-
-#include <rollbem/friction/law.hpp>
-#include <rollbem/normal/hertz.hpp>
-
 #include "drawn_scenes.hpp"
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
@@ -23,23 +18,21 @@ using namespace any_model;
 using drawn_scenes::from_environment, drawn::Draw;
 
 /// The largest violation of each condition over what rounding allows, 200 (n + 10) units in the last place.
-template <class Scalar>
-struct Violation : drawn::Violation<Scalar> {
-    Scalar friction = 0;  ///< mu of its equation; a velocity that is off by rounding is allowed for
-    Scalar mu = 0;        ///< the largest difference of mu, for comparison with a residual
+struct Violation : drawn::Violation<double> {
+    double friction = 0;  ///< mu of its equation; a velocity that is off by rounding is allowed for
+    double mu = 0;        ///< the largest difference of mu, for comparison with a residual
 
-    Scalar worst() const { return std::max({this->bound, this->stick, this->direction, friction}); }
+    double worst() const { return std::max({bound, stick, direction, friction}); }
 };
 
 /// mu of the particle that comes to x/a = `x`: linear between the points, mu_s(0) at the leading edge and ahead of it.
-template <class Scalar>
-Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x, Scalar ahead) {
+double carried(const ArrayX<double>& points, const ArrayX<double>& mu, double x, double ahead) {
     const Eigen::Index n = points.size();
     for (Eigen::Index i = n - 1; i >= 0; --i) {
         if (points[i] > x) continue;
         if (points[i] == x) return mu[i];  // the last point may lie at the edge or in front of it
         if (x >= 1) return ahead;
-        const Scalar right = i == n - 1 ? Scalar(1) : points[i + 1], value = i == n - 1 ? ahead : mu[i + 1];
+        const double right = i == n - 1 ? 1.0 : points[i + 1], value = i == n - 1 ? ahead : mu[i + 1];
         return mu[i] + (x - points[i]) / (right - points[i]) * (value - mu[i]);
     }
     return mu[0];
@@ -48,64 +41,62 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
 /// The violation of the law of friction by a steady solution (`before` null, `way` 1) or by an implicit step by `way`
 /// (in a, as imposed slip and slip) from `before`, with slip that is not turned. `duration` [s] is the time of the
 /// step, or of the passage of one half-length. A state without coefficients has the constant one of `law`.
-template <class Scalar, class Law>
-Violation<Scalar> violation(const Law& law, const Friction::Memory& memory, const ElementSystem<Scalar, 2>& system,
-                            Scalar half_length, Scalar shear_modulus, Scalar way, const std::array<Scalar, 2>& imposed,
-                            Scalar duration, const FrictionState* before, const FrictionState& after) {
+Violation violation(const AnyLaw& law, const Friction::Memory& memory, const ElementSystem<double, 2>& system,
+                    double half_length, double shear_modulus, double way, const std::array<double, 2>& imposed,
+                    double duration, const FrictionState* before, const FrictionState& after) {
     using std::abs;
     const Eigen::Index n = after.traction.rows();
-    const Scalar rounding = 200 * static_cast<Scalar>(n + 10) * std::numeric_limits<Scalar>::epsilon();
-    const Scalar at_rest = law(Scalar(0));
-    const auto coefficients = [&](const FrictionState& state) -> ArrayX<Scalar> {
-        if (state.friction_coefficient.size() == 0) return ArrayX<Scalar>::Constant(n, at_rest);
+    const double rounding = 200 * static_cast<double>(n + 10) * std::numeric_limits<double>::epsilon();
+    const double at_rest = law(0.0);
+    const auto coefficients = [&](const FrictionState& state) -> ArrayX<double> {
+        if (state.friction_coefficient.size() == 0) return ArrayX<double>::Constant(n, at_rest);
         return state.friction_coefficient;
     };
-    const ArrayX<Scalar> mus = coefficients(after), mus_before = coefficients(before ? *before : after);
+    const ArrayX<double> mus = coefficients(after), mus_before = coefficients(before ? *before : after);
     ElementVectors slip(n, 2);
-    Scalar scale = 0;
+    double scale = 0;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto col = static_cast<Eigen::Index>(d);
-        const VectorX<Scalar> p = after.traction.col(col) / shear_modulus;
-        const MatrixX<Scalar>& G_prime = system.G_prime(d, d);
+        const VectorX<double> p = after.traction.col(col) / shear_modulus;
+        const MatrixX<double>& G_prime = system.G_prime(d, d);
         slip.col(col) = -way * (G_prime * p);
-        Scalar size = abs(imposed[d]) + way * (G_prime.cwiseAbs() * p.cwiseAbs()).maxCoeff();
+        double size = abs(imposed[d]) + way * (G_prime.cwiseAbs() * p.cwiseAbs()).maxCoeff();
         if (before != nullptr) {
-            const MatrixX<Scalar>& G = system.G(d, d);
-            const VectorX<Scalar> old = before->traction.col(col) / shear_modulus;
+            const MatrixX<double>& G = system.G(d, d);
+            const VectorX<double> old = before->traction.col(col) / shear_modulus;
             slip.col(col) += G * (p - old);
             size += (G.cwiseAbs() * (p.cwiseAbs() + old.cwiseAbs())).maxCoeff();
         }
         slip.col(col).array() += imposed[d];
         scale += size;
     }
-    const Scalar slip_rounding = rounding * scale, largest = mus.maxCoeff() + at_rest;
-    const Scalar traction_rounding = rounding * largest * after.normal_pressure.maxCoeff();
-    const Scalar velocity_per_slip = half_length / duration;
+    const double slip_rounding = rounding * scale, largest = mus.maxCoeff() + at_rest;
+    const double traction_rounding = rounding * largest * after.normal_pressure.maxCoeff();
+    const double velocity_per_slip = half_length / duration;
 
-    Violation<Scalar> worst{drawn::violation(after.traction, slip, mus * after.normal_pressure, after.zones, false)};
+    Violation worst{drawn::violation(after.traction, slip, mus * after.normal_pressure, after.zones, false)};
     worst.bound /= traction_rounding;
     worst.stick /= slip_rounding;
     worst.direction /= slip_rounding;
-    const auto raise = [](Scalar& value, Scalar to) { value = to <= value ? value : to; };  // to what is no number, too
+    const auto raise = [](double& value, double to) { value = to <= value ? value : to; };  // to what is no number, too
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Scalar mu = mus[i];
+        const double mu = mus[i];
         const bool sticks = after.zones[static_cast<std::size_t>(i)] == Zone::stick;
-        const auto expected = [&](Scalar v) {
+        const auto expected = [&](double v) {
             if (!(after.normal_pressure[i] > 0)) return at_rest;
-            if (memory.distance == 0) return Scalar(law(v));
+            if (memory.distance == 0) return law(v);
             const auto& points = system.elements().x;
-            const Scalar came = before == nullptr ? (i == n - 1 ? at_rest : mus[i + 1])
+            const double came = before == nullptr ? (i == n - 1 ? at_rest : mus[i + 1])
                                                   : carried(points, mus_before, points[i] + way, at_rest);
-            const Scalar time = before == nullptr ? duration * system.elements().intervals[i] : duration;
-            const Scalar forgets = time * std::max(v, memory.least_velocity) / memory.distance;
+            const double time = before == nullptr ? duration * system.elements().intervals[i] : duration;
+            const double forgets = time * std::max(v, memory.least_velocity) / memory.distance;
             return (came + forgets * law(v)) / (1 + forgets);
         };
-        const Scalar v = sticks ? Scalar(0) : std::hypot(slip(i, 0), slip(i, 1)) * velocity_per_slip,
+        const double v = sticks ? 0.0 : std::hypot(slip(i, 0), slip(i, 1)) * velocity_per_slip,
                      off = slip_rounding * velocity_per_slip;
-        const Scalar middle = expected(v), difference = abs(mu - middle);
-        const Scalar spread =
-            sticks ? Scalar(0)
-                   : std::max(abs(expected(v + off) - middle), abs(expected(std::max(v - off, Scalar(0))) - middle));
+        const double middle = expected(v), difference = abs(mu - middle);
+        const double spread =
+            sticks ? 0.0 : std::max(abs(expected(v + off) - middle), abs(expected(std::max(v - off, 0.0)) - middle));
         raise(worst.friction, difference / (rounding * largest + spread));
         raise(worst.mu, difference);
     }
@@ -187,9 +178,9 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
                               ? ride.model.steady(ride.now, {Travel::at_speed(V), creepage, load}, ride.next, ride.own)
                               : ride.model.advance(ride.now, {{dq * a, time}, motion, load}, ride.next, ride.own);
         ++tally.solutions;
-        const Violation<double> found = violation<double>(law, memory, system, a, G, steady ? 1 : dq,
-                                                          {way * creepage.longitudinal, way * creepage.lateral}, time,
-                                                          steady ? nullptr : &ride.now, ride.next);
+        const Violation found =
+            violation(law, memory, system, a, G, steady ? 1 : dq, {way * creepage.longitudinal, way * creepage.lateral},
+                      time, steady ? nullptr : &ride.now, ride.next);
         CAPTURE(n, k, aspect, steady, shifts, size / full, angle, dq, name(step.status), step.rounds, found.bound,
                 found.stick, found.direction, found.friction, found.mu, step.complementarity_residual);
         if (step.status == Status::no_solution && kind != Kind::constant) {
