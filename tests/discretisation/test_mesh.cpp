@@ -219,8 +219,6 @@ TEST_CASE("A mesh rejects data that break its invariant", "[mesh]") {
     data = good;
     data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
-    // ratios so extreme that elements vanish are rejected
-    for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }
 
 }  // namespace
