@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/stability.hpp>
@@ -22,13 +21,12 @@ using Model = AdhesionModel<>;
 using Motion = RigidMotion<double>;
 
 constexpr std::array all_integrators{Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential};
-const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 
 Contact plane_contact() { return Contact::dimensionless(100, 0.25); }
 
 Model plane_model(Eigen::Index n, Integrator integrator) {
     const Contact contact = plane_contact();
-    return {contact, rolling_system(cosine_mesh<double>(n), halves, PlaneKernel<double>::longitudinal(contact)),
+    return {contact, rolling_system(cosine_mesh<double>(n), Collocation{}, PlaneKernel<double>::longitudinal(contact)),
             unchecked, integrator};
 }
 
@@ -124,17 +122,17 @@ TEST_CASE("Free motion grows or decays at the rate of the largest eigenvalue", "
         CHECK((abscissa > 0) == (scheme.alpha_T > 1));
         CHECK(std::abs(std::log(after / before) / std::log(expected) - 1) < tolerance);
     };
-    check(halves, Integrator::matrix_exponential, 0.1, 1e-10);
-    check(halves, Integrator::sdirk2, 0.1, 1e-4);
-    check(halves, Integrator::implicit_euler, 0.1, 1e-10);
+    check(Collocation{}, Integrator::matrix_exponential, 0.1, 1e-10);
+    check(Collocation{}, Integrator::sdirk2, 0.1, 1e-4);
+    check(Collocation{}, Integrator::implicit_euler, 0.1, 1e-10);
     check(Collocation{.alpha_L = 0, .alpha_T = 1.2}, Integrator::matrix_exponential, 1e-3, 1e-6);
 }
 
 TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[transient]") {
     const Mesh<double> mesh = cosine_mesh<double>(40);
     const auto kernel = PlaneKernel<double>::longitudinal(plane_contact());
-    const double steady = solve_steady(mesh, halves, kernel).c11();
-    const VectorX<double> shifted = dense::solve(assemble_G(mesh, halves, kernel), VectorX<double>::Ones(40));
+    const double steady = solve_steady(mesh, Collocation{}, kernel).c11();
+    const VectorX<double> shifted = dense::solve(assemble_G(mesh, Collocation{}, kernel), VectorX<double>::Ones(40));
     const double shift_force = shifted.dot(mesh.widths().matrix());
     CHECK(std::abs(steady / steady_c11(0.25) - 1) < 2e-4);
 
@@ -204,7 +202,7 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
     const Mesh<double> mesh = uniform_mesh<double>(8);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     const auto build = [&](const StabilityVerdict& verdict) {
-        Model(contact, rolling_system(mesh, halves, kernel), verdict);
+        Model(contact, rolling_system(mesh, Collocation{}, kernel), verdict);
     };
     const StabilityVerdict good{.n = 8, .status = Status::ok};
     CHECK_NOTHROW(build(good));
@@ -228,11 +226,11 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
     CHECK_THROWS_WITH(Model(contact, singular, good), ContainsSubstring("G_prime is singular"));
 
     const Contact infinite = Contact::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
-    CHECK_THROWS_WITH(Model(infinite, rolling_system(mesh, halves, kernel), unchecked),
+    CHECK_THROWS_WITH(Model(infinite, rolling_system(mesh, Collocation{}, kernel), unchecked),
                       ContainsSubstring("half_width = inf must be finite"));
 
-    MatrixX<double> G = assemble_G(mesh, halves, kernel);
-    const MatrixX<double> G_prime = assemble_G_prime(mesh, halves, kernel);
+    MatrixX<double> G = assemble_G(mesh, Collocation{}, kernel);
+    const MatrixX<double> G_prime = assemble_G_prime(mesh, Collocation{}, kernel);
     CHECK_NOTHROW(Model(contact, ElementSystem<double>(G, G_prime, mesh.widths()), good));
     CHECK_THROWS_AS(Model(contact, ElementSystem<double>(G, G_prime, uniform_mesh<double>(9).widths()), unchecked),
                     std::invalid_argument);
