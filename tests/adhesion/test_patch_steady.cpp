@@ -324,6 +324,7 @@ TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
     CHECK_THAT(off.c23, WithinRel(centred.c23, 1e-12));
     CHECK_THAT(off.response.coefficients(0, 2), WithinRel(-y0 * centred.c11, 1e-12));
     CHECK_THAT(off.c33, WithinRel(centred.c33 + y0 * y0 * centred.c11, 1e-12));
+    CHECK(off.response.unknowns.leftCols(2).isApprox(centred.response.unknowns.leftCols(2), 1e-12));
 }
 
 TEST_CASE("patch_steady: pieces of a plane make the whole, and far from each other stick each for itself") {

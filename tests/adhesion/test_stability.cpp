@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <Eigen/QR>
 
@@ -187,6 +190,23 @@ TEST_CASE("The fast count reports a G' that is nearly singular", "[stability]") 
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     CHECK_FALSE(StabilityVerdict{}.stable());
+}
+
+TEST_CASE("A system is judged by both directions, and shapes by each of them", "[stability]") {
+    const auto stable = rolling_system(uniform_mesh(20), Collocation{}, strip()),
+               unstable = rolling_system(uniform_mesh(20), Collocation{0, 1.2}, strip());
+    const Eigen::Index growing = judge_stability(unstable).unstable_count;
+    REQUIRE(growing > 0);
+    struct Shapes {
+        std::vector<RollingSystem<double>> nodes;
+
+        std::size_t node_count() const { return nodes.size(); }
+        std::vector<RollingSystem<double>> subsystems(std::size_t node) const { return {nodes[node]}; }
+    };
+    for (const auto& [first, second] : {std::pair(stable, unstable), {unstable, stable}}) {
+        CHECK(judge_stability(ElementSystem<double, 2>(first, second)).unstable_count == growing);
+        CHECK(judge_stability(Shapes{{first, second}}).unstable_count == growing);
+    }
 }
 
 TEST_CASE("The recommended schemes are stable and larger alphas are not", "[stability]") {
