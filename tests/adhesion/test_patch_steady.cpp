@@ -301,52 +301,16 @@ TEST_CASE("patch_steady: Kalker's table, to 1.2 %") {
     }
 }
 
-TEST_CASE("patch_steady: without Poisson's ratio both directions are alike") {
-    const auto circle = solved(1, 0, 12, 12);
-    CHECK_THAT(circle.c11, WithinRel(circle.c22, 1e-13));
-    const auto traction_x = circle.response.unknowns.topRows(144),
-               traction_y = circle.response.unknowns.bottomRows(144);
-    CHECK((traction_x.col(0) - traction_y.col(1)).cwiseAbs().maxCoeff() < 1e-12);
-    CHECK(traction_y.col(0).cwiseAbs().maxCoeff() == 0);
-}
-
 TEST_CASE("patch_steady: a wide rectangle tends to the line contact") {
     // F_x = -(2 a) (2 b) ... of a line is a G c11 per width, c11 = pi/(2 (1 - nu)); c^2 = 4 a b/pi
     const double nu = 0.3, b = 200;
     const ArrayX<double> y = (ArrayX<double>(2) << -b, b).finished(), one = ArrayX<double>::Ones(2);
     const PatchContact contact(PatchContact::Outline(y, -one, one), 1, nu);
-    const auto patch = solved(contact, patch_mesh(contact, 40, 24));
+    const auto patch = solved(contact, patch_mesh(contact, 20, 12));
     CHECK(patch.status == Status::ok);
     const double per_width = patch.c11 * (4 * b / pi) / (2 * b);
     CHECK_THAT(per_width, WithinRel(pi / 2 / (1 - nu), 5e-3));
     CHECK_THAT(patch.c22 * (4 * b / pi) / (2 * b), WithinRel(pi / 2, 5e-3));
-}
-
-TEST_CASE("patch_steady: the unit of length is free") {
-    const auto outline = [](double size) {
-        const ArrayX<double> y = ArrayX<double>::LinSpaced(4, -1, 1) * size;
-        const ArrayX<double> leading = (ArrayX<double>(4) << 0, 1, 0.7, 0.2).finished() * size;
-        const ArrayX<double> trailing = (ArrayX<double>(4) << 0, -0.5, -0.9, 0).finished() * size;
-        return PatchContact::Outline(y, trailing, leading);
-    };
-    const auto coefficients = [&](double size) {
-        const PatchContact contact(outline(size), 1, 0.28);
-        return solved(contact, patch_mesh(contact, 8, 8));
-    };
-    const auto metres = coefficients(5e-3), one = coefficients(1);
-    CHECK_THAT(metres.c11, WithinRel(one.c11, 1e-12));
-    CHECK_THAT(metres.c33, WithinRel(one.c33, 1e-12));
-    CHECK_THAT(metres.response.coefficients(0, 2), WithinRel(one.response.coefficients(0, 2), 1e-11));
-}
-
-TEST_CASE("patch_steady: forces in SI units agree with Kalker's coefficients") {
-    const double a = 6e-3, b = 4e-3, G = 8e10, c = std::sqrt(a * b), xi = 1e-4, eta = -2e-4, phi = 0.3;
-    const PatchContact contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
-    const auto steady = solved(contact, patch_mesh(contact, 6, 6));
-    const TangentialForce force = creep_force(contact, steady.response, {xi, eta, phi});
-    CHECK_THAT(force.longitudinal, WithinRel(-G * a * b * steady.c11 * xi, 1e-13));
-    CHECK_THAT(force.lateral, WithinRel(-G * a * b * (steady.c22 * eta + c * steady.c23 * phi), 1e-12));
-    CHECK_THAT(force.moment, WithinRel(-G * a * b * c * (steady.c32 * eta + c * steady.c33 * phi), 1e-12));
 }
 
 TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
@@ -360,6 +324,7 @@ TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
     CHECK_THAT(off.c23, WithinRel(centred.c23, 1e-12));
     CHECK_THAT(off.response.coefficients(0, 2), WithinRel(-y0 * centred.c11, 1e-12));
     CHECK_THAT(off.c33, WithinRel(centred.c33 + y0 * y0 * centred.c11, 1e-12));
+    CHECK(off.response.unknowns.leftCols(2).isApprox(centred.response.unknowns.leftCols(2), 1e-12));
 }
 
 TEST_CASE("patch_steady: pieces of a plane make the whole, and far from each other stick each for itself") {
@@ -434,21 +399,13 @@ TEST_CASE("patch_steady: frequency response") {
     }
 }
 
-TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugate; patches decay") {
-    const auto contact = PatchContact::dimensionless(2, 0.3);
-    const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
-    const auto parts = patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.3));
-    const FrequencySweep sweep(parts);
-    const auto steady = solved(contact, mesh);
-    CHECK_THAT(creep_coefficients(contact, sweep(0)).c33.real(), WithinRel(steady.c33, 1e-12));
-    CHECK((sweep(0).coefficients - steady.response.coefficients.cast<std::complex<double>>()).cwiseAbs().maxCoeff() <
-          1e-11);
-    CHECK((sweep(-1).coefficients - sweep(1).coefficients.conjugate()).cwiseAbs().maxCoeff() < 1e-12);
-
-    const StabilityVerdict halves = judge_stability(parts);
+TEST_CASE("patch_steady: the halves of a mirrored patch decay as the whole") {
+    const PatchMesh<double> mesh = patch_mesh(PatchContact::dimensionless(2, 0.3), 8, 6);
+    const HalfSpace<double> kernel(0.3);
+    const StabilityVerdict halves = judge_stability(patch_subsystems(mesh, chebyshev, kernel));
     CHECK(halves.n == 96);
     CHECK(halves.stable());
-    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, HalfSpace<double>(0.3)).joined());
+    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, kernel).joined());
     CHECK_THAT(halves.spectral_abscissa, WithinRel(whole.spectral_abscissa, 1e-9));
 }
 

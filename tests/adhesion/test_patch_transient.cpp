@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/balanced_reduction.hpp>
@@ -43,16 +42,14 @@ Patch ellipse(double b, Eigen::Index n) {
 /// The force at each distance, in steps of dq after a step of creepage from rest.
 std::vector<TangentialForce> step_response(const AdhesionModel<2>& model, const Creepage& creepage, double dq,
                                            const std::vector<double>& distances) {
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
+    Run run(model);
     std::vector<TangentialForce> forces;
     int done = 0;
     for (const double distance : distances) {
         AdhesionModel<2>::Step step;
         for (; done < std::lround(distance / dq); ++done) {
-            step = model.advance(now, {dq, creepage}, next, workspace);
+            step = run.advance({dq, creepage});
             REQUIRE(step.status == Status::ok);
-            std::swap(now, next);
         }
         forces.push_back(step.force);
     }

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <complex>
 
-#include <Eigen/LU>
-
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/line.hpp>
 

@@ -46,7 +46,7 @@ TEST_CASE("Scanning by strides finds the same critical alpha_T as scanning every
         CHECK(judge_stability(rolling_system(mesh, scheme_of(*strided), strip())).certainly_unstable());
         CHECK_FALSE(judge_stability(rolling_system(mesh, scheme_of(*strided - 1e-5), strip())).certainly_unstable());
     };
-    for (const int n : {4, 9, 12}) {
+    for (const int n : {4, 9}) {
         check(uniform_mesh(n), collocation);
         check(uniform_mesh(n), equal);
         check(uniform_mesh(n), galerkin);
@@ -78,19 +78,17 @@ TEST_CASE("The spectrum of a good scheme converges to the exact one", "[stabilit
     const auto spectrum = [&](int n) {
         return solve_stability(rolling_system(cosine_mesh(n), scheme, plane(100))).eigenvalues();
     };
-    const VectorX<std::complex<double>> of_100 = spectrum(100), of_400 = spectrum(400);
+    const VectorX<std::complex<double>> of_100 = spectrum(100), of_200 = spectrum(200);
     const auto error = [](const VectorX<std::complex<double>>& eigenvalues, std::complex<double> exact) {
         return (eigenvalues.array() - exact).abs().minCoeff() / std::abs(exact);
     };
     for (const std::complex<double> exact :
          {std::complex<double>(-0.17302005735, 0), {-1.46935559502, 2.98100869072}, {-1.80867424789, 6.17549758306}}) {
-        const double coarse = error(of_100, exact), fine = error(of_400, exact);
+        const double coarse = error(of_100, exact), fine = error(of_200, exact);
         CAPTURE(exact, coarse, fine);
-        CHECK(fine < 1e-4);
-        CHECK(fine > 1e-7);
-        // second order: a factor of 16
-        CHECK(coarse / fine > 12);
-        CHECK(coarse / fine < 20);
+        CHECK(fine < 4e-4);
+        CHECK(fine > 4e-7);
+        CHECK(std::abs(coarse / fine - 4) < 0.5);  // second order
     }
 }
 

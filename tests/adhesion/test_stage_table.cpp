@@ -1,9 +1,7 @@
-// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
+// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
-#include <utility>
 
-#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/friction/detail/rolling_friction.hpp>
 #include <rollbem/line.hpp>
@@ -14,75 +12,21 @@ namespace stage_table_tests {
 namespace {
 
 using namespace rollbem;
-using Eigen::VectorXd;
-using Motion = RigidMotion<double>;
+using Motion = FrictionModel::Motion;
 
 constexpr detail::StageTable halves(2, 0.5);
 constexpr double a = 5e-3, G = 8e10, dq = 0.3 * a, p_0 = 5e8;
 
 const Contact contact({.half_length = a, .half_width = 5e-2, .shear_modulus = G, .poisson_ratio = 0.28});
 const Mesh<double> mesh = cosine_mesh(8);
-ElementSystem<double> line(const PlaneKernel<double>& kernel) {
-    return rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
-}
+ElementSystem<double> line(const PlaneKernel<double>& kernel) { return rolling_system(mesh, Collocation{}, kernel); }
 const ElementSystem<double> along = line(PlaneKernel<double>::longitudinal(contact)),
                             across = line(PlaneKernel<double>::lateral(contact));
-
-/// A step of the row from a_1 to a_3 in full adhesion: tractions, and their derivative by the creepage at the end.
-std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion& motion, double a_1, double a_3) {
-    detail::AdhesionStages<1> stages(from.size());
-    detail::StageFactors factors(from.size());
-    const SemiAxes start{a_1 / a, 1}, end{a_3 / a, 1};
-    const detail::RigidSlip<1> slip(contact, along.inputs(), G);
-    const detail::TimeStep<1> step{motion, a, start, end, dq / a, halves};
-    stages.solve(step, {1, from, slip, factors}, [](const detail::RollingStage& geometry, const auto& use) {
-        use(detail::LineEquations<RollingSystem<double>>(along, geometry));
-    });
-    return {from + stages.change(), stages.response(0)};
-}
-
-}  // namespace
-
-TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") {
-    const AdhesionModel<> euler(contact, along, judge_stability(along), Integrator::implicit_euler);
-    auto workspace = euler.workspace();
-    AdhesionModel<>::State from = euler.steady(3e-4), half = from, to = from;
-    const double xi = GENERATE(1e-3, -2e-3);
-    for (const double a_3 : {a, 1.05 * a}) {
-        const double a_2 = (a + a_3) / 2;
-        for (const double start : {xi, xi / 3}) {
-            const auto step = [&](double end) {
-                const double middle = (start + end) / 2;
-                euler.advance(from, {dq / 2, Motion::linear(start, middle), a_2}, half, workspace);
-                REQUIRE(euler.advance(half, {dq / 2, Motion::linear(middle, end), a_3}, to, workspace).status ==
-                        Status::ok);
-                return to.traction;
-            };
-            const auto [tractions, per_end] = stage_by_stage(from.traction, Motion::linear(start, xi), a, a_3);
-            const double unit = tractions.cwiseAbs().maxCoeff();
-            const VectorXd expected = step(xi), risen = step(xi + 1e-3);
-            CHECK((tractions - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);
-            CHECK((1e-3 * per_end - (risen - expected)).cwiseAbs().maxCoeff() < 1e-10 * unit);
-            if (a_3 != a) continue;
-            // the map of a repeated step equals the map by stages
-            detail::StepMap<1> map(mesh.size());
-            detail::StageFactors factors(mesh.size());
-            map.prepare({1, dq, a, 0}, detail::influence(along), detail::RationalExponential(halves),
-                        along.inputs() * G, along.outputs(), factors);
-            VectorXd mapped(mesh.size());
-            map.apply(from.traction, {Motion::linear(start, xi), dq}, mapped);
-            CHECK((mapped - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);
-        }
-    }
-}
-
-namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
 template <int directions>
 void compare(const ElementSystem<double, directions>& system, const Friction::Law& law, const Creepage& start,
              const Creepage& middle, const Creepage& end, double growth) {
-    using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
     const detail::ContactData<directions> data("test", contact, system, friction);
@@ -96,8 +40,8 @@ void compare(const ElementSystem<double, directions>& system, const Friction::La
     };
     const Travel whole{dq, dq / 20}, part{dq / 2, dq / 40};
     const NormalLoad two = load(0.5), three = load(1);
-    const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
-    const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
+    const auto first = model.advance(from, {part, Motion::linear(start, middle), two}, half, workspace);
+    const auto second = model.advance(half, {part, Motion::linear(middle, end), three}, to, workspace);
     const auto axes = [&](const auto& loaded) { return data.units.axes(loaded); };
     const auto components = [](const Creepage& value) {
         if constexpr (directions == 1) {

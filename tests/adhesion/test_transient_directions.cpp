@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include <rollbem/line.hpp>
 #include <rollbem/scene/patch_contact.hpp>
@@ -69,11 +68,8 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
         const Model both(contact, ElementSystem(along, across), unchecked, integrator);
         const AdhesionModel<> first(contact, along, unchecked, integrator),
             second(contact, across, unchecked, integrator);
-        Model::State now = both.at_rest(), next = now;
-        AdhesionModel<>::State first_now = first.at_rest(), first_next = first_now;
-        AdhesionModel<>::State second_now = second.at_rest(), second_next = second_now;
-        Model::Workspace workspace = both.workspace();
-        AdhesionModel<>::Workspace first_workspace = first.workspace(), second_workspace = second.workspace();
+        Run of_both(both);
+        Run of_first(first), of_second(second);
         for (int k = 0; k < 12; ++k) {
             const double dq = (k < 6 ? 0.3 : 0.1) * a;
             const auto value = [&](int at) { return Creepage{1e-3 * at, 5e-4 * std::sin(at), 0}; };
@@ -81,12 +77,9 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
                 using One = RigidMotion<decltype(pick(value(0)))>;
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
             };
-            const AdhesionModel<2>::Step step =
-                both.advance(now, {dq, motion([](const auto& all) { return all; })}, next, workspace);
-            const AdhesionModel<>::Step x = first.advance(
-                first_now, {dq, motion([](const auto& all) { return all.longitudinal; })}, first_next, first_workspace);
-            const AdhesionModel<>::Step y = second.advance(
-                second_now, {dq, motion([](const auto& all) { return all.lateral; })}, second_next, second_workspace);
+            const auto step = of_both.advance({dq, motion([](const auto& all) { return all; })});
+            const auto x = of_first.advance({dq, motion([](const auto& all) { return all.longitudinal; })});
+            const auto y = of_second.advance({dq, motion([](const auto& all) { return all.lateral; })});
             REQUIRE(step.status == Status::ok);
             CAPTURE(name(integrator), k);
             CHECK(step.force.longitudinal == Approx(x.force).epsilon(1e-12));
@@ -96,12 +89,10 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
             CHECK(step.tangent.by_lateral.lateral == Approx(y.tangent).epsilon(1e-12));
             CHECK(std::abs(step.tangent.by_lateral.longitudinal) < 1e-12 * std::abs(x.tangent));
             const double moment =
-                2 * b * a * a * (across.weights() * across.elements().centre_x * second_next.traction.array()).sum();
+                2 * b * a * a *
+                (across.weights() * across.elements().centre_x * of_second.now().traction.array()).sum();
             CHECK(step.force.moment == Approx(moment).epsilon(1e-11));
-            CHECK((vector(both.force(next)) - vector(step.force)).norm() < 1e-14 * vector(step.force).norm());
-            std::swap(now, next);
-            std::swap(first_now, first_next);
-            std::swap(second_now, second_next);
+            CHECK((vector(both.force(of_both.now())) - vector(step.force)).norm() < 1e-14 * vector(step.force).norm());
         }
     }
 }

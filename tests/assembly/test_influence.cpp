@@ -170,10 +170,11 @@ struct MinimalKernel {
 };
 static_assert(LineKernel<MinimalKernel> && LineKernel<PlaneKernel<double>> && LineKernel<StripKernel<long double>>);
 
-TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times",
-          "[influence]") {
+TEST_CASE(
+    "A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times, steady or not",
+    "[influence]") {
     for (const double b : {0.1, 1.0, 20.0}) {
-        for (const Eigen::Index n : {3, 10, 40}) {
+        for (const Eigen::Index n : {3, 20}) {
             for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
                 for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                     const MinimalKernel minimal{b};
@@ -187,9 +188,12 @@ TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide str
                 }
                 const MinimalKernel counted{b};
                 assemble_G_prime(mesh, Collocation{0, 0.63, fd}, counted);
-                CAPTURE(b, n, name, *counted.evaluations);
-                CHECK(*counted.evaluations > 0);
-                if (b > 10) CHECK(*counted.evaluations <= 144);
+                const Eigen::Index once = *counted.evaluations;
+                CAPTURE(b, n, name, once);
+                CHECK(once > 0);
+                if (b > 10) CHECK(once <= 144);
+                solve_steady(mesh, Collocation{0, 0.63, fd}, counted);
+                CHECK(*counted.evaluations == 2 * once);
             }
         }
     }
@@ -235,7 +239,7 @@ TEST_CASE("Extreme grading loses no more digits than the ratio of element sizes 
     check(geometric_mesh(12, 1e-6), geometric_mesh<Real>(12, 1e-6L), 1e-9);
 }
 
-TEST_CASE("Assembly rejects infinite widths where G is needed, and invalid schemes", "[influence]") {
+TEST_CASE("Assembly rejects infinite widths where G is needed, and invalid kernels", "[influence]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const PlaneKernel<double> plane(infinity, 0.75, 0.25);
     CHECK(assemble_G_prime(uniform_mesh(4), Collocation{}, plane).allFinite());
@@ -245,9 +249,6 @@ TEST_CASE("Assembly rejects infinite widths where G is needed, and invalid schem
                    assemble_G_prime(cosine_mesh(4), Collocation{}, PlaneKernel<double>(7, 0.75, 0.25))) < 1e-13);
     CHECK_THROWS_WITH(assemble_G(uniform_mesh(4), Collocation{}, plane),
                       Catch::Matchers::ContainsSubstring("an infinite aspect is for steady problems only"));
-    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(1), Collocation{0, 0.63}, plane), std::invalid_argument);
-    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(1), KnotheBoundary{}, plane), std::invalid_argument);
-    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(4), Galerkin{.quadrature = -1}, plane), std::invalid_argument);
     CHECK_THROWS_WITH(assemble_G_prime(uniform_mesh(4), Collocation{}, MinimalKernel{-1}),
                       Catch::Matchers::ContainsSubstring("distance of the kernel's smooth part = -1 must be positive"));
 }

@@ -14,7 +14,7 @@ namespace {
 using namespace rollbem;
 using brute_force::Real;
 
-// Rows of a fine mesh against long double; a naive second difference has an error of 8e-8 here.
+// Rows of a fine mesh against long double; a naive second difference errs by 8e-8 on 10^4 elements.
 void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_force::Kernel& kernel, int averages,
                 bool slope, double limit) {
     const Eigen::Index n = mesh.size();
@@ -54,8 +54,8 @@ void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_f
     CHECK(largest < limit);
 }
 
-TEST_CASE("Rows of 10^4 elements keep ten digits", "[line_integrals]") {
-    const Eigen::Index n = 10000;
+TEST_CASE("Rows of 3000 elements keep ten digits", "[line_integrals]") {
+    const Eigen::Index n = 3000;
     const Mesh<double> uniform = uniform_mesh(n), cosine = cosine_mesh(n);
     const Mesh<Real> exact_uniform = uniform_mesh<Real>(n), exact_cosine = cosine_mesh<Real>(n);
     for (const brute_force::Kernel& kernel :

@@ -46,7 +46,7 @@ RectangleInfluence<double> point_force(double nu, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("patch_system: a layer adds to each strip what it adds to a line") {
+TEST_CASE("patch_system: each strip has the layer and the intervals of a line of its length") {
     const NodeDifference scheme{GENERATE(Nodes::centres, Nodes::chebyshev)};
     const double L = 0.7;
     const auto contact = PatchContact::dimensionless(2, 0.3);
@@ -64,6 +64,10 @@ TEST_CASE("patch_system: a layer adds to each strip what it adds to a line") {
     CHECK(largest(layered.G() - G) < 1e-13);
     CHECK(largest(layered.G_prime() - G_prime) < 1e-12);
     CHECK(largest(layered.G() - bare.G()) > 0.9 * L);
+    const ArrayX<double> all = patch_elements(mesh, scheme).intervals, one = without.elements().intervals;
+    for (Eigen::Index j = 0; j < 4; ++j) {
+        CHECK((all.segment(6 * j, 6) / mesh.half_lengths()[j] - one).abs().maxCoeff() < 1e-14);
+    }
     CHECK_THROWS_WITH(breathing_system(contact, mesh, scheme, HalfSpace<double>(0.3, L)),
                       ContainsSubstring("layer_compliance"));
 }
@@ -266,19 +270,6 @@ TEST_CASE("patch_system: places, areas, slip and forces of the elements") {
     CHECK(system.inputs().col(2).head(24) == -elements.y.matrix());
     CHECK(system.inputs().col(2).tail(24) == elements.x.matrix());
     CHECK(system.inputs().col(0).sum() == 24);
-}
-
-TEST_CASE("patch_system: intervals of a strip are those of a line of its length") {
-    const NodeDifference scheme{GENERATE(Nodes::centres, Nodes::chebyshev)};
-    const auto contact = PatchContact::dimensionless(2, 0.3);
-    const PatchMesh<double> mesh = patch_mesh(contact, 6, 3);
-    const Eigen::ArrayXd all = patch_elements(mesh, scheme).intervals;
-    const auto line = PlaneKernel<double>::longitudinal(Contact::dimensionless(100, 0.3));
-    const Eigen::ArrayXd one = rolling_system(mesh.along(), scheme, line).elements().intervals;
-    REQUIRE(all.size() == mesh.size());
-    for (Eigen::Index j = 0; j < 3; ++j) {
-        CHECK((all.segment(6 * j, 6) / mesh.half_lengths()[j] - one).abs().maxCoeff() < 1e-14);
-    }
 }
 
 TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {

@@ -1,7 +1,6 @@
 // The templates of rollbem/compiled/*.hpp, instantiated here for float: tests in double take theirs from
 // rollbem::compiled, and see no header that is newer than that library.
 #include <cmath>
-#include <utility>
 
 #include <rollbem/rollbem.hpp>
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -19,8 +18,6 @@ namespace {
 
 using namespace rollbem;
 using brute_force::Real;
-
-const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 
 using Strip = StripKernel<double>;
 static_assert(LineKernel<Strip> && LineKernel<LayeredKernel<LayeredKernel<Strip>>>);
@@ -122,13 +119,7 @@ TEST_CASE("A layer adds its geometric share to every entry, however the rest is 
             check(Strip(0.25, 0.75, 0.25), "strip 0.25");           // by quadrature
         }
     }
-    const auto takes_slopes_at_points = [](const brute_force::NamedScheme& each) {
-        return brute_force::rows_of(each.scheme, true).averages == 0;
-    };
-    const std::vector<brute_force::NamedScheme> schemes = brute_force::every_scheme();
-    const auto refusing = std::count_if(schemes.begin(), schemes.end(), takes_slopes_at_points);
-    CHECK(refusing > 0);
-    CHECK(refused == 3 * refusing * std::ptrdiff_t(meshes.size()));
+    CHECK(refused > 0);
 }
 
 TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]") {
@@ -138,12 +129,12 @@ TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]")
     const LayeredKernel twice(LayeredKernel(plane, 0.25), 0.5);
     CHECK(twice.half_width() == 100);
     CHECK(twice.lambda() == plane.lambda());
-    const MatrixX<double> G_prime = assemble_G_prime(mesh, halves, once);
-    CHECK(assemble_G(mesh, halves, once) == assemble_G(mesh, halves, twice));
-    CHECK(G_prime == assemble_G_prime(mesh, halves, twice));
+    const MatrixX<double> G_prime = assemble_G_prime(mesh, Collocation{}, once);
+    CHECK(assemble_G(mesh, Collocation{}, once) == assemble_G(mesh, Collocation{}, twice));
+    CHECK(G_prime == assemble_G_prime(mesh, Collocation{}, twice));
     const VectorX<double> p = VectorX<double>::LinSpaced(50, 1, 3);
     const VectorX<double> product = detail::influence_product<double>(
-        mesh, scheme_rows(halves, Quantity::slope, mesh), detail::KernelView<double>(once), Quantity::slope, p);
+        mesh, scheme_rows(Collocation{}, Quantity::slope, mesh), detail::KernelView<double>(once), Quantity::slope, p);
     CHECK((product - G_prime * p).norm() < 1e-13 * product.norm());
 }
 
@@ -153,13 +144,9 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
         const FrictionModel model(
-            contact, steady_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
+            contact, steady_system(mesh, Collocation{}, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
             {1, mu_p0 * mean_hertz_pressure(mesh)});
-        const FrictionState rest = model.at_rest();
-        FrictionState state = rest;
-        FrictionModel::Workspace workspace = model.workspace();
-        const FrictionStep step =
-            model.steady(rest, {.motion = Creepage{2 * (1 - nu) * mu_p0 * delta}}, state, workspace);
+        const FrictionStep step = Run(model).steady({.motion = Creepage{2 * (1 - nu) * mu_p0 * delta}});
         REQUIRE(step.status == Status::ok);
         return -step.force.longitudinal / (contact.width() * mu_p0 * std::numbers::pi / 2);
     };
@@ -178,17 +165,8 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     CHECK(std::abs(force(0, 0.25, 160) - (0.5 - 0.0625)) < 2e-3);
 }
 
-TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]") {
+TEST_CASE("Layers reject analytic derivatives and states", "[layer]") {
     const PlaneKernel<double> plane(100.0, 0.75, 0.25);
-    const double infinity = std::numeric_limits<double>::infinity();
-    CHECK(refusal([&] { LayeredKernel(plane, -0.5); }) ==
-          "LayeredKernel: compliance = -0.5 must be finite and not negative");
-    CHECK(refusal([&] { LayeredKernel(plane, std::numeric_limits<double>::quiet_NaN()); }) ==
-          "LayeredKernel: compliance = nan must be finite and not negative");
-    CHECK(refusal([&] { LayeredKernel(plane, infinity); }) ==
-          "LayeredKernel: compliance = inf must be finite and not negative");
-    CHECK_NOTHROW(LayeredKernel(plane, 0));
-
     const Mesh<double> mesh = cosine_mesh<double>(10);
     const LayeredKernel layered(plane, 0.5);
     const std::string why =
@@ -201,20 +179,11 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     CHECK(refusal([&] { rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic, 1, 7}, layered); }) == why);
     CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
     CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
-    CHECK(rolling_system(mesh, halves, plane).log_strength().has_value());
-    CHECK_FALSE(rolling_system(mesh, halves, layered).log_strength().has_value());  // it cannot breathe
+    CHECK(rolling_system(mesh, Collocation{}, plane).log_strength().has_value());
+    CHECK_FALSE(rolling_system(mesh, Collocation{}, layered).log_strength().has_value());  // it cannot breathe
     const std::string states = "Chebyshev: compliance of the kernel's delta = 0.5 must be 0: use elements for a layer";
     CHECK(refusal([&] { rolling_system(Chebyshev{}, layered); }) == states);
     CHECK(refusal([&] { solve_steady(Chebyshev{}, layered); }) == states);
-
-    // the conditions on the kernel below still apply
-    CHECK(refusal([&] {
-              rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>(0.1, 0.75, 0.25), 5));
-          }).find("Lambda") != std::string::npos);
-    const Contact other = Contact::dimensionless(50, 0.25);
-    CHECK(refusal([&] {
-              AdhesionModel<>(other, rolling_system(mesh, halves, layered), unchecked);
-          }).find("b/a of the kernel over b/a of the contact") != std::string::npos);
 }
 
 }  // namespace

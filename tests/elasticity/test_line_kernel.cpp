@@ -2,13 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 
 #include "support/brute_force.hpp"
@@ -20,19 +17,6 @@ namespace {
 using namespace rollbem;
 using brute_force::Real;
 
-template <class Function>
-double integrate(Function f, double lower, double upper, double relative = 1e-13) {
-    gsl_set_error_handler_off();
-    const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
-        gsl_integration_workspace_alloc(1000), &gsl_integration_workspace_free);
-    gsl_function integrand;
-    integrand.function = [](double x, void* data) { return (*static_cast<Function*>(data))(x); };
-    integrand.params = &f;
-    double result = 0, error = 0;
-    gsl_integration_qags(&integrand, lower, upper, 0, relative, 1000, workspace.get(), &result, &error);
-    return result;
-}
-
 template <class Kernel, class Scalar = typename Kernel::Scalar>
 Scalar g(const Kernel& kernel, Scalar x) {
     const SmoothSplit<Scalar> split = kernel.smooth_split();
@@ -40,26 +24,24 @@ Scalar g(const Kernel& kernel, Scalar x) {
 }
 
 TEST_CASE("The strip's g is Cerruti's point solution integrated over the width", "[kernel]") {
+    const auto rule = detail::gauss_legendre<double>(200);
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double b : {0.01, 0.5, 4.0, 100.0}) {
             const Contact contact = Contact::dimensionless(b, nu);
             for (const double x : {1e-3, -0.02, 0.3, 1.0, -2.0}) {
-                // Eq. (3): displacement along the force at (x, y); across it for lateral creepage
-                const auto point = [x](double c_along, double c_across) {
-                    return [=](double y) {
-                        const double r2 = x * x + y * y;
-                        return (c_along * x * x + c_across * y * y) / (std::numbers::pi * r2 * std::sqrt(r2));
-                    };
-                };
-                // the peak at y = 0 is |x| wide: substitute y = |x| sinh t
-                const auto over_width = [&](const auto& f) {
-                    const auto substituted = [&](double t) {
-                        return f(std::abs(x) * std::sinh(t)) * std::abs(x) * std::cosh(t);
-                    };
-                    return 2 * integrate(substituted, 0, std::asinh(b / std::abs(x)));
+                // Eq. (3): displacement along the force at (x, y); across it for lateral creepage. The peak at y = 0 is
+                // |x| wide: y = |x| sinh t
+                const auto over_width = [&](double c_along, double c_across) {
+                    const double end = std::asinh(b / std::abs(x));
+                    double sum = 0;
+                    for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+                        const double square = std::pow(std::sinh(end * rule.nodes[k]), 2);
+                        sum += rule.weights[k] * end * (c_along + c_across * square) / (1 + square);
+                    }
+                    return sum / std::numbers::pi;
                 };
                 CAPTURE(nu, b, x);
-                const double along = over_width(point(1, 1 - nu)), across = over_width(point(1 - nu, 1));
+                const double along = over_width(1, 1 - nu), across = over_width(1 - nu, 1);
                 const double x_over_b = std::max(1.0, std::abs(x) / b);  // the logarithm and the smooth part cancel
                 CHECK(std::abs(g(StripKernel<double>::longitudinal(contact), x) / along - 1) < 1e-12 * x_over_b);
                 CHECK(std::abs(g(StripKernel<double>::lateral(contact), x) / across - 1) < 1e-12 * x_over_b);
@@ -109,8 +91,6 @@ TEST_CASE("The smooth part of a wide strip keeps its digits", "[kernel]") {
 TEST_CASE("AnyKernel is the kernel of its model", "[kernel]") {
     const Mesh<double> mesh = cosine_mesh(9);
     const auto check = [&](const AnyKernel<double>& any, const auto& kernel) {
-        CHECK(any.smooth_part(0.3) == kernel.smooth_part(0.3));
-        CHECK(any.smooth_slope(0.3) == kernel.smooth_slope(0.3));
         const auto of_any = rolling_system(mesh, Collocation{}, any),
                    same = rolling_system(mesh, Collocation{}, kernel);
         CHECK(of_any.G() == same.G());

@@ -19,7 +19,6 @@ using namespace rollbem;
 using Numbers = std::vector<double>;
 
 constexpr double nu = 0.28;
-constexpr Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// Compares the results of `work` in one thread with those in each of four concurrent threads.
 void check_shared(const std::function<Numbers()>& work) {
@@ -42,7 +41,7 @@ TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling"
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const Galerkin galerkin{.quadrature = 3};
     check_shared([&] {
-        return Numbers{solve_steady(mesh, scheme, strip).c11(), solve_steady(mesh, scheme, plane).c11(),
+        return Numbers{solve_steady(mesh, Collocation{}, strip).c11(), solve_steady(mesh, Collocation{}, plane).c11(),
                        solve_steady(mesh, galerkin, strip).c11(), assemble_G(mesh, galerkin, strip).sum(),
                        solve_steady(mesh, KnotheBoundary{}, strip).c11()};
     });
@@ -51,18 +50,14 @@ TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling"
 TEST_CASE("Threads may share a transient model for repeated and new distances", "[threads]") {
     const Contact contact = Contact::dimensionless(10, nu);
     const AdhesionModel<> model(
-        contact, rolling_system(cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact)), unchecked);
+        contact, rolling_system(cosine_mesh(20), Collocation{}, StripKernel<double>::longitudinal(contact)), unchecked);
     check_shared([&] {
-        AdhesionModel<>::State now = model.at_rest(), next = model.steady(1e-3);
-        AdhesionModel<>::Workspace workspace = model.workspace();
+        Run run(model);
         Numbers forces;
         for (int k = 0; k < 20; ++k) {
-            forces.push_back(model.advance(now, {0.1, 1e-3}, next, workspace).force);
-            std::swap(now, next);
-            forces.push_back(
-                model.advance(now, {k % 3 == 0 ? 0.05 : 0.1, RigidMotion<double>::linear(1e-3, 2e-3)}, next, workspace)
-                    .tangent);
-            std::swap(now, next);
+            forces.push_back(run.advance({0.1, 1e-3}).force);
+            const double dq = k % 3 == 0 ? 0.05 : 0.1;
+            forces.push_back(run.advance({dq, RigidMotion<double>::linear(1e-3, 2e-3)}).tangent);
         }
         return forces;
     });
@@ -73,8 +68,8 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
     const Mesh<double> mesh = cosine_mesh(20);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const Friction friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
-    const FrictionModel steady(contact, steady_system(mesh, scheme, plane), friction);
-    const FrictionModel model(contact, rolling_system(mesh, scheme, plane), unchecked, friction);
+    const FrictionModel steady(contact, steady_system(mesh, Collocation{}, plane), friction);
+    const FrictionModel model(contact, rolling_system(mesh, Collocation{}, plane), unchecked, friction);
     check_shared([&] {
         Numbers forces;
         auto now = steady.at_rest(), next = now;
@@ -94,11 +89,11 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
 
 TEST_CASE("Threads may share frequency sweeps and the polynomial approach", "[threads]") {
     const PlaneKernel<double> plane(1000, 1 - nu, nu);
-    const FrequencySweep reduced(rolling_system(cosine_mesh(20), scheme, plane));
-    MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
+    const FrequencySweep reduced(rolling_system(cosine_mesh(20), Collocation{}, plane));
+    MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), Collocation{}, plane);
     weak.row(3) *= 1e-9;  // too ill-conditioned to reduce, but valid input
     const FrequencySweep full(
-        ElementSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
+        ElementSystem<double>(assemble_G(cosine_mesh(20), Collocation{}, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());
     REQUIRE(!full.reduced());
     check_shared([&] {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/line.hpp>
@@ -92,13 +91,9 @@ void ride(Draw& draw, Tally& tally) {
     // the fixed point opposes the slip of each equation itself
     const auto x = support::unturned(rolling_system(mesh, scheme, along)),
                y = support::unturned(rolling_system(mesh, scheme, across));
-    const FrictionModel one(contact, x, unchecked, law, integrator);
-    const FrictionModel two(contact, {x, y}, unchecked, law, integrator);
-    FrictionState one_now = one.at_rest(), one_next = one_now;
-    FrictionState two_now = two.at_rest(), two_next = two_now;
-    FrictionModel::Workspace one_workspace = one.workspace();
-    FrictionModel::Workspace two_workspace = two.workspace();
-    NormalLoad load{law.normal_pressure, a_0, {}};
+    const FrictionModel model = both ? FrictionModel(contact, {x, y}, unchecked, law, integrator)
+                                     : FrictionModel(contact, x, unchecked, law, integrator);
+    Run run(model);
     Vectors p = Vectors::Zero(n, 2);
     double a = 1;
     ArrayX<double> bound = mu / modulus * law.normal_pressure;
@@ -108,36 +103,21 @@ void ride(Draw& draw, Tally& tally) {
         const Creepage creepage{size * std::cos(angle), both ? size * std::sin(angle) : 0};
         const double a_end = std::clamp(a + draw.uniform(-0.95, 0.95) * dq, 0.5, 2.0);
         const ArrayX<double> pressure = pressures(), bound_end = mu * pressure;
-        load = {modulus * pressure, a_0 * a_end, {}};
-        Status status;
-        double residual;
-        Eigen::Index stick;
-        Vectors found = Vectors::Zero(n, 2);
-        const auto take = [&](const auto& step) {
-            status = step.status;
-            residual = step.complementarity_residual;
-            stick = step.stick_count;
-        };
-        if (both) {
-            take(two.advance(two_now, {dq * a_0, creepage, load}, two_next, two_workspace));
-            found = two_next.traction / modulus;
-        } else {
-            take(one.advance(one_now, {dq * a_0, Creepage{creepage.longitudinal}, load}, one_next, one_workspace));
-            found.col(0) = one_next.traction.col(0) / modulus;
-        }
+        const NormalLoad load{modulus * pressure, a_0 * a_end, {}};
+        const FrictionStep step = run.advance({dq * a_0, creepage, load});
         CAPTURE(k, both, name(integrator), n, nu, dq, a, a_end, size, angle);
-        REQUIRE(status == Status::ok);
-        REQUIRE(residual < 1e-10);
+        REQUIRE(step.status == Status::ok);
+        REQUIRE(step.complementarity_residual < 1e-10);
+        Vectors found = Vectors::Zero(n, 2);
+        found.leftCols(both ? 2 : 1) = run.now().traction.leftCols(both ? 2 : 1) / modulus;
         if (const auto expected = surface.step(integrator, dq, a, a_end, creepage, p, bound, bound_end)) {
             REQUIRE((*expected - found).cwiseAbs().maxCoeff() <= 1e-8 * mu * peak);
             ++tally.compared;
-            tally.mixed += stick > 0 && stick < n ? 1 : 0;
+            tally.mixed += step.stick_count > 0 && step.stick_count < n ? 1 : 0;
         }
         p = found;
         a = a_end;
         bound = bound_end;
-        std::swap(one_now, one_next);
-        std::swap(two_now, two_next);
     }
 }
 

@@ -5,8 +5,6 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
-#include <sstream>
-#include <string>
 #include <utility>
 
 #include <rollbem/line.hpp>
@@ -25,7 +23,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 using drawn_scenes::from_environment;
 
-/// A scene, with a description from which it can be reproduced.
+/// A scene, which the seed and its number reproduce.
 struct Scene {
     Mesh<double> mesh;
     AnyScheme scheme;
@@ -33,7 +31,6 @@ struct Scene {
     bool plane, lateral;
     bool modest;      // no end element far larger than the others, and alphas for which tractions converge
     double rounding;  // of G', relative to its largest entry
-    std::string words;
 
     double c1() const { return lateral ? 1 : 1 - poisson_ratio; }
     double c2() const { return lateral ? -poisson_ratio : poisson_ratio; }
@@ -60,90 +57,58 @@ Response<double> steady_of(const Scene& scene, const Kernel& kernel) {
     return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, Quantity::slope), scene.widths());
 }
 
-class Scenes {
-public:
-    explicit Scenes(std::uint64_t seed) : draw_(seed) {}
-
-    Scene next() {
-        std::ostringstream words;
-        words.precision(17);
-        const Eigen::Index n = integer(3, 14);
-        double grading = 1;
-        const auto mesh = [&]() -> Mesh<double> {
-            switch (integer(0, 5)) {
-                case 0: words << "uniform"; return uniform_mesh(n);
-                case 1: words << "cosine"; return cosine_mesh(n);
-                case 2:
-                    grading = logarithmic(1e-6, 1e6);
-                    words << "geometric " << grading;
-                    return geometric_mesh(n, grading);
-                case 3:
-                    grading = logarithmic(1e-8, 10);
-                    words << "knothe " << grading;
-                    return knothe_mesh(n, grading);
-                case 4:
-                    grading = logarithmic(1e-8, 10);
-                    words << "modified-knothe " << grading;
-                    return modified_knothe_mesh(n, grading);
-                default: {
-                    words << "edges";
-                    ArrayX<double> edges(n + 1);
-                    for (double& edge : edges) edge = uniform(-1, 1);
-                    std::sort(edges.begin(), edges.end());
-                    edges[0] = -1, edges[n] = 1;
-                    grading = 0;
-                    for (const double edge : edges) words << ' ' << edge;
-                    return mesh_from_edges<double>(edges);
-                }
+Scene drawn_scene(drawn::Draw& draw) {
+    const Eigen::Index n = draw.integer(3, 14);
+    double grading = 1;
+    const auto mesh = [&]() -> Mesh<double> {
+        switch (draw.integer(0, 5)) {
+            case 0: return uniform_mesh(n);
+            case 1: return cosine_mesh(n);
+            case 2: return geometric_mesh(n, grading = draw.logarithmic(1e-6, 1e6));
+            case 3: return knothe_mesh(n, grading = draw.logarithmic(1e-8, 10));
+            case 4: return modified_knothe_mesh(n, grading = draw.logarithmic(1e-8, 10));
+            default: {
+                ArrayX<double> edges(n + 1);
+                for (double& edge : edges) edge = draw.uniform(-1, 1);
+                std::sort(edges.begin(), edges.end());
+                edges[0] = -1, edges[n] = 1;
+                grading = 0;
+                return mesh_from_edges<double>(edges);
             }
-        }();
-        words << ", n = " << n;
-        const bool ordinary = integer(0, 1) == 0;  // the intended range of schemes
-        double alpha_L = ordinary ? uniform(0, 0.7) : uniform(-2, 2);
-        double alpha_T = ordinary ? uniform(0.3, 0.9) : uniform(-2, 2);
-        if (integer(0, 3) == 0) alpha_L = alpha_T;
-        const Derivative derivative = integer(0, 1) == 0 ? Derivative::finite_difference : Derivative::analytic;
-        const double lambda = integer(0, 1) == 0 ? 1 : uniform(0, 1);
-        Scene scene{.mesh = mesh,
-                    .scheme = Collocation{alpha_L, alpha_T, derivative, lambda},
-                    .aspect = logarithmic(0.01, 1e12),
-                    .poisson_ratio = std::clamp(uniform(-0.1, 0.6), 0.0, 0.5),
-                    .plane = integer(0, 2) == 0,
-                    .lateral = integer(0, 3) == 0,
-                    .modest = grading >= 0.1 && grading <= 3 && ordinary && n >= 8 &&
-                              derivative == Derivative::finite_difference,
-                    .rounding = 0,
-                    .words = {}};
-        const int method = integer(0, 5);
-        if (method == 0) scene.scheme = Galerkin{alpha_L, alpha_T, derivative, lambda, integer(0, 7)};
-        if (method == 1) scene.scheme = KnotheBoundary{derivative};
-        if (method == 2) scene.scheme = NodeDifference{};
-        scene.modest = scene.modest && method != 1;  // in effect alpha = 1, which zigzags on graded meshes
-        // The entry of a small element seen from a wide one is a difference of terms of the size of the wide one,
-        // divided by the small width; a finite difference averaged in closed form divides once more.
-        const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
-        scene.rounding = 50 * eps * contrast;
-        if (derivative == Derivative::analytic) scene.rounding *= 20;  // points 0.001 of a width off a singularity
-        const auto* galerkin = scene.scheme.get_if<Galerkin>();
-        if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
-            derivative == Derivative::finite_difference) {
-            scene.rounding *= contrast;
         }
-        words << ", method " << method << ", alphas " << alpha_L << ' ' << alpha_T << ", lambda " << lambda
-              << (derivative == Derivative::analytic ? ", analytic" : ", fd") << ", b/a = " << scene.aspect
-              << ", nu = " << scene.poisson_ratio << (scene.plane ? ", plane" : ", strip")
-              << (scene.lateral ? ", lateral" : "");
-        scene.words = words.str();
-        return scene;
+    }();
+    const bool ordinary = draw.integer(0, 1) == 0;  // the intended range of schemes
+    double alpha_L = ordinary ? draw.uniform(0, 0.7) : draw.uniform(-2, 2);
+    double alpha_T = ordinary ? draw.uniform(0.3, 0.9) : draw.uniform(-2, 2);
+    if (draw.integer(0, 3) == 0) alpha_L = alpha_T;
+    const Derivative derivative = draw.integer(0, 1) == 0 ? Derivative::finite_difference : Derivative::analytic;
+    const double lambda = draw.integer(0, 1) == 0 ? 1 : draw.uniform(0, 1);
+    Scene scene{
+        .mesh = mesh,
+        .scheme = Collocation{alpha_L, alpha_T, derivative, lambda},
+        .aspect = draw.logarithmic(0.01, 1e12),
+        .poisson_ratio = std::clamp(draw.uniform(-0.1, 0.6), 0.0, 0.5),
+        .plane = draw.integer(0, 2) == 0,
+        .lateral = draw.integer(0, 3) == 0,
+        .modest = grading >= 0.1 && grading <= 3 && ordinary && n >= 8 && derivative == Derivative::finite_difference,
+        .rounding = 0};
+    const int method = draw.integer(0, 5);
+    if (method == 0) scene.scheme = Galerkin{alpha_L, alpha_T, derivative, lambda, draw.integer(0, 7)};
+    if (method == 1) scene.scheme = KnotheBoundary{derivative};
+    if (method == 2) scene.scheme = NodeDifference{};
+    scene.modest = scene.modest && method != 1;  // in effect alpha = 1, which zigzags on graded meshes
+    // The entry of a small element seen from a wide one is a difference of terms of the size of the wide one,
+    // divided by the small width; a finite difference averaged in closed form divides once more.
+    const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
+    scene.rounding = 50 * eps * contrast;
+    if (derivative == Derivative::analytic) scene.rounding *= 20;  // points 0.001 of a width off a singularity
+    const auto* galerkin = scene.scheme.get_if<Galerkin>();
+    if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
+        derivative == Derivative::finite_difference) {
+        scene.rounding *= contrast;
     }
-
-    double uniform(double low, double high) { return draw_.uniform(low, high); }
-    double logarithmic(double low, double high) { return draw_.logarithmic(low, high); }
-    int integer(int low, int high) { return draw_.integer(low, high); }
-
-private:
-    drawn::Draw draw_;
-};
+    return scene;
+}
 
 /// The mirrored scene: edges interchanged, alphas interchanged with opposite sign.
 Mesh<double> mirrored(const Mesh<double>& mesh) {
@@ -167,22 +132,27 @@ double difference(const Matrix& one, const Matrix& other) {
     return (one - other).cwiseAbs().maxCoeff() / one.cwiseAbs().maxCoeff();
 }
 
+/// Calls CHECK, which takes longer than a scene, only for what fails.
+void at_most(double value, double limit) {
+    if (!(value <= limit)) CHECK(value <= limit);
+}
+
 template <class Function>
 void for_each_scene(const Function& function) {
     const std::uint64_t count = from_environment("ROLLBEM_SCENES", 10000);
     const std::uint64_t seed = from_environment("ROLLBEM_SEED", 20181205);
     CAPTURE(seed);
-    Scenes scenes(seed);
+    drawn::Draw draw(seed);
     for (std::uint64_t k = 0; k < count; ++k) {
-        const Scene scene = scenes.next();
-        INFO("scene " << k << ": " << scene.words);
-        function(scenes, scene);
+        const Scene scene = drawn_scene(draw);
+        INFO("scene " << k);
+        function(draw, scene);
     }
 }
 
 TEST_CASE("Matrices are finite, and mirrored scenes have mirrored matrices", "[property]") {
     std::uint64_t all = 0, compared = 0;
-    for_each_scene([&](Scenes&, const Scene& scene) {
+    for_each_scene([&](drawn::Draw&, const Scene& scene) {
         ++all;
         const Kernel kernel = kernel_of(scene);
         const Matrix G = assemble_one(scene.mesh, scene.scheme, kernel, Quantity::displacement),
@@ -195,10 +165,9 @@ TEST_CASE("Matrices are finite, and mirrored scenes have mirrored matrices", "[p
         const AnyScheme scheme = mirrored(scene.scheme);
         const Matrix G_back = assemble_one(back, scheme, kernel, Quantity::displacement),
                      G_prime_back = assemble_one(back, scheme, kernel, Quantity::slope);
-        const double of_G = difference(G, G_back.reverse()), of_G_prime = difference(G_prime, -G_prime_back.reverse());
         const double tolerance = 1e-12 + scene.rounding;
-        if (!(of_G < tolerance)) CHECK(of_G < tolerance);
-        if (!(of_G_prime < tolerance)) CHECK(of_G_prime < tolerance);
+        at_most(difference(G, G_back.reverse()), tolerance);
+        at_most(difference(G_prime, -G_prime_back.reverse()), tolerance);
         ++compared;
     });
     CHECK(compared > all / 4);
@@ -206,7 +175,7 @@ TEST_CASE("Matrices are finite, and mirrored scenes have mirrored matrices", "[p
 
 TEST_CASE("A steady solution has the properties that its status promises", "[property]") {
     std::uint64_t good = 0, modest = 0;
-    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+    for_each_scene([&](drawn::Draw& draw, const Scene& scene) {
         const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::slope);
         const ArrayX<double> widths = scene.widths();
         const Response<double> solution = solve_steady<double>(G_prime, widths);
@@ -221,24 +190,22 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
         const double residual =
             (dense::product(G_prime, solution.unknowns) - VectorX<double>::Ones(widths.size())).cwiseAbs().maxCoeff() /
             (G_prime.cwiseAbs().rowwise().sum().maxCoeff() * solution.unknowns.cwiseAbs().maxCoeff() + 1);
-        if (!(residual <= 100 * n * eps)) CHECK(residual <= 100 * n * eps);
+        at_most(residual, 100 * n * eps);
         // friction opposes creepage
         if (!(solution.c11() > 0)) CHECK(solution.c11() > 0);
         if (scene.plane && scene.modest) {
-            const double ratio = solution.c11() / scene.carter();
-            if (!(ratio > 0.75 && ratio < 1.35)) CHECK(ratio == Approx(1));
+            at_most(std::abs(solution.c11() / scene.carter() - 1.05), 0.3);
         }
         // Poisson's ratio only scales G' of the plane kernel
         const double tolerance = (1000 * eps + scene.rounding) / solution.rcond;
         if (scene.plane) {
-            const double other = steady_of(scene, {LineModel::plane, 1, 1, scenes.uniform(0, 1)}).c11();
-            const double scaled = solution.c11() / scene.carter() * (std::acos(-1.0) / 2);
-            if (!(std::abs(scaled / other - 1) <= tolerance)) CHECK(scaled == Approx(other).epsilon(tolerance));
+            const double other = steady_of(scene, {LineModel::plane, 1, 1, draw.uniform(0, 1)}).c11();
+            at_most(std::abs(solution.c11() / scene.carter() * (std::acos(-1.0) / 2) / other - 1), tolerance);
         }
         // A wider strip is less stiff. For nu above 1/3 the term of order (a/b)^2 has the other sign.
         if (!scene.plane && scene.modest && 2 * scene.c2() < scene.c1()) {
             const double wider = steady_of(scene, {LineModel::strip, 2 * scene.aspect, scene.c1(), scene.c2()}).c11();
-            if (!(wider <= solution.c11() * (1 + tolerance))) CHECK(wider <= solution.c11());
+            at_most(wider, solution.c11() * (1 + tolerance));
         }
     });
     // enough solutions are ok for the checks to mean something
@@ -248,28 +215,24 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
 
 TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one", "[property]") {
     std::uint64_t drawn = 0, compared = 0;
-    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+    for_each_scene([&](drawn::Draw& draw, const Scene& scene) {
         ++drawn;
         const auto system = system_of<RollingSystem<double>>(scene);
         const FrequencySweep sweep(system);
-        const double z = scenes.logarithmic(1e-12, 1e6);
+        const double z = draw.logarithmic(1e-12, 1e6);
         const Response<std::complex<double>> up = sweep(z), down = sweep(-z);
         if (up.status != down.status) CHECK(up.status == down.status);
         if (up.status != Status::ok) return;
-        const double conjugate = std::abs(up.c11() / std::conj(down.c11()) - 1.0);
-        if (!(conjugate <= 1e-13)) CHECK(conjugate <= 1e-13);
+        at_most(std::abs(up.c11() / std::conj(down.c11()) - 1.0), 1e-13);
         const Response<std::complex<double>> full = solve_response(system, {0, z});
         if (full.status == Status::ok) {
-            const double routes = std::abs(up.c11() / full.c11() - 1.0);
-            const double tolerance = 1000 * eps / std::min(up.rcond, full.rcond);
-            if (!(routes <= tolerance)) CHECK(routes <= tolerance);
+            at_most(std::abs(up.c11() / full.c11() - 1.0), 1000 * eps / std::min(up.rcond, full.rcond));
         }
         const Response<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const Response<std::complex<double>> still = sweep(0);
         if (steady.status != Status::ok || still.status != Status::ok) return;
         ++compared;
-        const double limit = std::abs(still.c11() / steady.c11() - 1.0), tolerance = 1000 * eps / steady.rcond;
-        if (!(limit <= tolerance)) CHECK(limit <= tolerance);
+        at_most(std::abs(still.c11() / steady.c11() - 1.0), 1000 * eps / steady.rcond);
     });
     CAPTURE(drawn, compared);
     CHECK(10 * compared > drawn);
@@ -277,7 +240,7 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
 
 TEST_CASE("Steps of any length are finite or reported, and long ones end in steady rolling", "[property]") {
     std::uint64_t drawn = 0, compared = 0;
-    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+    for_each_scene([&](drawn::Draw& draw, const Scene& scene) {
         ++drawn;
         using Model = AdhesionModel<>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
@@ -287,10 +250,9 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const Matrix lengths = dense::solve(system.G_prime(), system.G());
         const double longest = lengths.cwiseAbs().rowwise().sum().maxCoeff();
         const Model model(contact, system, unchecked,
-                          scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
-        Model::State now = model.at_rest(), next = now;
-        Model::Workspace workspace = model.workspace();
-        const AdhesionModel<>::Step any = model.advance(now, {scenes.logarithmic(1e-9, 1e6), 1.0}, next, workspace);
+                          draw.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
+        Run run(model);
+        const AdhesionModel<>::Step any = run.try_advance({draw.logarithmic(1e-9, 1e6), 1.0});
         const bool consistent = (any.status == Status::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
@@ -299,13 +261,8 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         // |G'^-1 G| bounds the length of the slowest mode, which grows with the condition number of G'
         const double dq = std::max(1e9, 1e4 * longest);
         AdhesionModel<>::Step last;
-        for (int k = 0; k < 4; ++k) {
-            last = model.advance(now, {dq, 1.0}, next, workspace);
-            std::swap(now, next);
-        }
-        const double ratio = -last.force_per_width / steady.c11();
-        const double tolerance = 1e-6 + 1000 * eps / steady.rcond;
-        if (!(std::abs(ratio - 1) <= tolerance)) CHECK(ratio == Approx(1).epsilon(tolerance));
+        for (int k = 0; k < 4; ++k) last = run.advance({dq, 1.0});
+        at_most(std::abs(-last.force_per_width / steady.c11() - 1), 1e-6 + 1000 * eps / steady.rcond);
     });
     CAPTURE(drawn, compared);
     CHECK(10 * compared > drawn);

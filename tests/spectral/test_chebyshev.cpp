@@ -13,7 +13,6 @@
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/dense.hpp"
 #include "support/exact_traction.hpp"
 #include "support/observed_order.hpp"
 #include "support/strip_instances.hpp"
@@ -43,8 +42,9 @@ auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
 double plane_error(Eigen::Index m, double z_max) {
     const FrequencySweep sweep(rolling_system(Chebyshev{m}, plane));
     double largest = 0;
-    for (int k = 0; k <= 100; ++k) {
-        const double z = z_max * k / 100;
+    const int count = m > 100 ? 10 : 100;  // many states take long
+    for (int k = 0; k <= count; ++k) {
+        const double z = z_max * k / count;
         const Response<Complex> point = sweep(z);
         CHECK(point.status == Status::ok);
         largest = std::max(largest, relative_error(point.c11(), reference::plane_c11({0, z}, 0.25, 100)));
@@ -110,42 +110,11 @@ TEST_CASE("Eigenvalues of Chebyshev states converge to the exact ones and are st
     CHECK(judge_stability(rolling_system(Chebyshev{200}, plane)).stable());
     for (Eigen::Index m = 1; m <= 96; m += m < 24 ? 1 : 12) {
         for (const bool wide : {true, false}) {
-            const StabilityVerdict found = wide ? judge_stability(rolling_system(Chebyshev{m}, plane))
-                                                : judge_stability(rolling_system(Chebyshev{m}, strip(0.5)));
+            const StabilityVerdict found =
+                judge_stability(wide ? rolling_system(Chebyshev{m}, plane) : rolling_system(Chebyshev{m}, strip(0.5)));
             CAPTURE(m, wide, found.spectral_abscissa, found.uncertain_count);
             CHECK(found.stable());
         }
-    }
-}
-
-double condition(const MatrixX<double>& matrix) {
-    const MatrixX<double> identity = MatrixX<double>::Identity(matrix.rows(), matrix.rows());
-    return dense::largest_singular_value(matrix) * dense::largest_singular_value(dense::solve(matrix, identity));
-}
-
-TEST_CASE("The system of the plane has its elementary closed form", "[chebyshev]") {
-    const double pi = std::numbers::pi;
-    for (const Eigen::Index m : {1, 2, 12, 64}) {
-        const Chebyshev::System<double> system = rolling_system(Chebyshev{m}, plane);
-        const auto lambda = [&](Eigen::Index k) {
-            return k == 0 ? 2 * (0.75 * std::log(400.0) + 0.25) : 1.5 / static_cast<double>(k);
-        };
-        CHECK(system.weights()[0] == Approx(pi / lambda(0)).epsilon(4 * eps));
-        CHECK(system.weights().tail(m - 1).abs().sum() == 0);
-        // u_m = sum v_j u_j with v_j = -lambda_m/lambda_j, in the last row of A: (D u)_{m-1} = 2 m u_m
-        const MatrixX<double> rates = system.rates();
-        for (Eigen::Index j = 0; j < m; ++j) {
-            const double expected = -(m == 1 ? 1.0 : 2.0) * static_cast<double>(m) * lambda(m) / lambda(j);
-            CHECK(rates(m - 1, j) == Approx(expected).epsilon(1e-14));
-        }
-        const double least = m == 1 ? 1.0 : std::numbers::sqrt2;
-        CHECK(condition(system.G()) == Approx(least).epsilon(1e-12));
-        for (Eigen::Index l = 0; l < m; ++l) {
-            const double x = -std::cos(pi * static_cast<double>(2 * l + 1) / static_cast<double>(2 * m));
-            if (m > 1) CHECK(std::abs(system.G()(l, 1) - x) < 4 * eps);
-        }
-        CHECK((dense::product(system.G(), rates) - system.G_prime()).cwiseAbs().maxCoeff() <
-              1e-13 * system.G_prime().cwiseAbs().maxCoeff());
     }
 }
 
@@ -177,8 +146,7 @@ TEST_CASE("Tractions of harmonic creepage follow from the states", "[chebyshev]"
     }
 }
 
-template <class Kernel>
-double quadrature_error(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
+double quadrature_error(const StripKernel<double>& kernel, Eigen::Index m, Eigen::Index points) {
     const MatrixX<double> fine = detail::smooth_compliance(kernel, m, 3 * points + 50);
     return (detail::smooth_compliance(kernel, m, points) - fine).cwiseAbs().maxCoeff() / fine.cwiseAbs().maxCoeff();
 }
@@ -227,8 +195,8 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
         CHECK(relative_error(solve_response(system, {0, -z}).c11(), std::conj(solve_response(system, {0, z}).c11())) <
               1e-13);
         const Response<double> steady = solve_steady(Chebyshev{m}, kernel);
-        CHECK(relative_error(solve_response(system, {0, 0}).c11(), steady.c11()) < 1e-11);
         const Response<Complex> slow = solve_response(system, {0, 0});
+        CHECK(relative_error(slow.c11(), steady.c11()) < 1e-11);
         CHECK((system.traction<Complex>(slow.unknowns.col(0)).coefficients - steady.unknowns.col(0).cast<Complex>())
                   .cwiseAbs()
                   .maxCoeff() < 1e-10);
@@ -237,10 +205,9 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
             lateral ? solve_steady(Chebyshev{250}, kernel).c11() : reference::strip_c11(0, nu, aspect).c11.real();
         CHECK(std::abs(steady.c11() / exact - 1) <= steady.error_estimate() + 1e-12);
         CHECK((steady.status == Status::ok) == (steady.error_estimate() <= 1e-2));
+        if (lateral) continue;
         const Complex fine = solve_response(rolling_system(Chebyshev{m + 40}, kernel), {0, z}).c11();
-        if (!lateral) CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-4);
-        if (!lateral && aspect > 1)
-            CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-11);
+        CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < (aspect > 1 ? 1e-11 : 1e-4));
     }
 }
 
@@ -276,8 +243,9 @@ TEST_CASE("Under harmonic spin elements tend to states, and force and moment are
         for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
             const std::vector<double> sizes{20, 40, 80};
             std::vector<double> errors;
-            for (const Eigen::Index n : {20, 40, 80}) {
-                const auto system = rolling_system(cosine_mesh(n), NodeDifference{nodes}, kernel).with_spin();
+            for (const double n : sizes) {
+                const Mesh<double> mesh = cosine_mesh(static_cast<Eigen::Index>(n));
+                const auto system = rolling_system(mesh, NodeDifference{nodes}, kernel).with_spin();
                 errors.push_back((solve_response(system, {0, z}).coefficients - exact).cwiseAbs().maxCoeff());
             }
             CAPTURE(z, nodes == Nodes::centres, errors);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <rollbem/closed_form/detail/plane_lambda.hpp>
-#include <rollbem/detail/require.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 namespace rollbem::reference {
@@ -17,70 +16,54 @@ namespace rollbem::reference {
 /// and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing edge.
 class ExactTraction {
 public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument
-    /// unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and either Lambda > 0 or s = 0.
-    ExactTraction(std::complex<double> s, double poisson_ratio, double aspect);
-
-    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    std::complex<double> operator()(double x_over_a) const;
-
-    /// c11 = -F/(a G xi) from the mean of the traction, F = pi p_0.
-    std::complex<double> c11() const { return c11_; }
-
-private:
-    std::complex<double> c11_;
-    std::vector<detail::Complex> coefficients_;  ///< coefficients of T_n, n = 0, 1, ...
-};
-
-inline ExactTraction::ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
-    c11_ = plane_c11(s, poisson_ratio, aspect);  // checks the arguments
-    const long double pi = std::numbers::pi_v<long double>;
-    const long double lambda = plane_lambda<long double>(poisson_ratio, aspect);
-    const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));
-    const detail::Complex point(s.real(), s.imag());
-    const long double scale = std::abs(point.real());
-    // for n above about 1.2 |s| + 40, I_n is below rounding; twice as many points keep aliases away from it
-    const std::size_t order = static_cast<std::size_t>(1.2 * std::abs(s)) + 40;
-    const std::size_t count = order + order / 2;
-    std::vector<long double> cosines(2 * count);
-    std::vector<detail::Complex> samples(count + 1);
-    for (std::size_t k = 0; k < cosines.size(); ++k) {
-        cosines[k] = std::cos(pi * static_cast<long double>(k) / static_cast<long double>(count));
-    }
-    for (std::size_t k = 0; k <= count; ++k) {
-        const long double weight = (k == 0 || k == count ? 0.5L : 1.0L) / static_cast<long double>(count);
-        samples[k] = std::exp(point * cosines[k] - scale) * weight;
-    }
-    std::vector<detail::Complex> bessel(order + 2);
-    for (std::size_t n = 0; n < bessel.size(); ++n) {
+    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady.
+    ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
+        const long double pi = std::numbers::pi_v<long double>;
+        const long double lambda = plane_lambda<long double>(poisson_ratio, aspect);
+        const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));
+        const detail::Complex point(s.real(), s.imag());
+        const long double scale = std::abs(point.real());
+        // for n above about 1.2 |s| + 40, I_n is below rounding; twice as many points keep aliases away from it
+        const std::size_t order = static_cast<std::size_t>(1.2 * std::abs(s)) + 40;
+        const std::size_t count = order + order / 2;
+        std::vector<long double> cosines(2 * count);
+        std::vector<detail::Complex> samples(count + 1);
+        for (std::size_t k = 0; k < cosines.size(); ++k) {
+            cosines[k] = std::cos(pi * static_cast<long double>(k) / static_cast<long double>(count));
+        }
         for (std::size_t k = 0; k <= count; ++k) {
-            bessel[n] += samples[k] * cosines[n * k % cosines.size()];
+            const long double weight = (k == 0 || k == count ? 0.5L : 1.0L) / static_cast<long double>(count);
+            samples[k] = std::exp(point * cosines[k] - scale) * weight;
+        }
+        std::vector<detail::Complex> bessel(order + 2);
+        for (std::size_t n = 0; n < bessel.size(); ++n) {
+            for (std::size_t k = 0; k <= count; ++k) bessel[n] += samples[k] * cosines[n * k % cosines.size()];
+        }
+        const detail::Complex sum = bessel[0] + bessel[1];
+        const detail::Complex denominator = (bessel[0] + point * lambda * sum) * stiffness;
+        coefficients_.resize(order + 1);            // that of T_0 does not matter
+        for (std::size_t n = 1; n <= order; ++n) {  // n I_n / s = (I_{n-1} - I_{n+1})/2 also holds at s = 0
+            coefficients_[n] = (bessel[n - 1] - bessel[n + 1]) / denominator;
         }
     }
-    const detail::Complex sum = bessel[0] + bessel[1];
-    const detail::Complex denominator = (bessel[0] + point * lambda * sum) * stiffness;
-    coefficients_.resize(order + 1);
-    coefficients_[0] = -sum / denominator;
-    for (std::size_t n = 1; n <= order; ++n) {  // n I_n / s = (I_{n-1} - I_{n+1})/2 also holds at s = 0
-        coefficients_[n] = (bessel[n - 1] - bessel[n + 1]) / denominator;
-    }
-}
 
-inline auto ExactTraction::operator()(double x_over_a) const -> std::complex<double> {
-    detail::require(std::abs(x_over_a) <= 1, "reference::ExactTraction", "x/a", x_over_a, "lie in [-1, 1]");
-    // the coefficients add up to zero, so T_n may be replaced by T_n - 1 = -2 sin^2(n theta/2): nothing cancels
-    // at the leading edge, theta = 0
-    const long double half = std::atan2(std::sqrt(1 - static_cast<long double>(x_over_a)),
-                                        std::sqrt(1 + static_cast<long double>(x_over_a)));
-    if (half == 0) {
-        return 0;
+    /// p/(G xi) at x/a, -1 <= x/a <= 1.
+    std::complex<double> operator()(double x_over_a) const {
+        // the coefficients add up to zero, so T_n may be replaced by T_n - 1 = -2 sin^2(n theta/2): nothing cancels
+        // at the leading edge, theta = 0
+        const long double half = std::atan2(std::sqrt(1 - static_cast<long double>(x_over_a)),
+                                            std::sqrt(1 + static_cast<long double>(x_over_a)));
+        if (half == 0) return 0;
+        detail::Complex sum = 0;
+        for (std::size_t n = 1; n < coefficients_.size(); ++n) {
+            const long double sine = std::sin(static_cast<long double>(n) * half);
+            sum -= 2 * sine * sine * coefficients_[n];
+        }
+        return std::complex<double>(sum / std::sin(2 * half));
     }
-    detail::Complex sum = 0;
-    for (std::size_t n = 1; n < coefficients_.size(); ++n) {
-        const long double sine = std::sin(static_cast<long double>(n) * half);
-        sum -= 2 * sine * sine * coefficients_[n];
-    }
-    return std::complex<double>(sum / std::sin(2 * half));
-}
+
+private:
+    std::vector<detail::Complex> coefficients_;  ///< coefficients of T_n, n = 0, 1, ...
+};
 
 }  // namespace rollbem::reference
