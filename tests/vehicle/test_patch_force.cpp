@@ -20,11 +20,11 @@ namespace {
 
 using namespace rollbem;
 
-const WheelOnRail& wheel() {
-    static const WheelOnRail standard(s1002(), rail_uic60());
+const WheelsetOnTrack& wheelset() {
+    static const WheelsetOnTrack standard(WheelOnRail(s1002(), rail_uic60()));
     return standard;
 }
-
+const WheelOnRail& wheel() { return wheelset().wheel(); }
 const WheelOnRail::Options few_cells{.cells_x = 8, .cells_s = 6, .halves_cells = false};
 
 /// The right wheel at the gauge corner: the outline and the pressures have two lobes.
@@ -35,7 +35,7 @@ struct Scene {
 
     explicit Scene(double lateral = 5e-3) {
         WheelsetOnTrack::Workspace workspace;
-        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
+        const auto contacts = wheelset().solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
         REQUIRE(has_numbers(contacts.status));
         at = contacts.seen(WheelsetSide::right);
         patch = contacts.wheels[1].patches.at(0);
@@ -114,7 +114,7 @@ TEST_CASE("The load of a lobe grows from nothing as the wheelset shifts", "[prof
     for (double lateral = 4.36e-3; lateral < 4.6e-3; lateral += 2e-5) {
         CAPTURE(lateral);
         WheelsetOnTrack::Workspace workspace;
-        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral}, {1e5, 1e5}, workspace);
+        const auto contacts = wheelset().solve({.lateral = lateral}, {1e5, 1e5}, workspace);
         CHECK(contacts.status == Status::ok);
         const auto& patches = contacts.wheels[1].patches;
         const double load = patches.size() > 1 ? patches[1].load : 0;
@@ -128,7 +128,7 @@ TEST_CASE("The load of a lobe grows from nothing as the wheelset shifts", "[prof
 TEST_CASE("Pieces of one plane rub as the outline into which they grow together", "[profiles]") {
     const auto sum = [](double lateral, bool together, std::size_t count) {
         WheelsetOnTrack::Workspace workspace;
-        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
+        const auto contacts = wheelset().solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
         const auto& patches = contacts.wheels[1].patches;
         REQUIRE(patches.size() == count);
         REQUIRE(patches_by_plane(patches).size() == 1);
@@ -190,12 +190,11 @@ TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[pr
 }
 
 TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]") {
-    const WheelsetOnTrack wheelset(wheel());
     WheelsetOnTrack::Workspace workspace;
     const RollingFriction friction{.coefficient = 0.3, .elements = 4, .strips = 5};
     for (const double forward : {20.0, -20.0}) {
         WheelsetRolling rolling{.position = {.lateral = -1e-3}, .speeds = {.forward = forward}, .force = 2e4};
-        const WheelsetForces driven = rolling_forces(wheelset, rolling, friction, workspace, few_cells);
+        const WheelsetForces driven = rolling_forces(wheelset(), rolling, friction, workspace, few_cells);
         CAPTURE(forward, driven.pitch_rate);
         REQUIRE(driven.contacts.status == Status::ok);
         CHECK(std::abs(driven.on_wheelset.force[0] - 2e4) < 1);
@@ -203,11 +202,11 @@ TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]
         rolling.force.reset();
         rolling.free_pitch = false;
         rolling.speeds.pitch_rate = driven.pitch_rate;
-        const WheelsetForces given = rolling_forces(wheelset, rolling, friction, workspace, few_cells);
+        const WheelsetForces given = rolling_forces(wheelset(), rolling, friction, workspace, few_cells);
         CHECK(std::abs(given.on_wheelset.force[0] - 2e4) < 2);
     }
     const WheelsetForces beyond =
-        rolling_forces(wheelset, {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 7e4}, friction,
+        rolling_forces(wheelset(), {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 7e4}, friction,
                        workspace, few_cells);
     for (const auto& patches : beyond.patches) {
         CHECK(patches.at(0).status == Status::no_solution);
@@ -220,13 +219,12 @@ TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]
 }
 
 TEST_CASE("A longitudinal force of one wheel is had while the other one is lifted", "[profiles]") {
-    const WheelsetOnTrack wheelset(wheel());
     WheelsetOnTrack::Workspace workspace;
     const WheelsetRolling rolling{.position = {.height = 3e-4, .roll = 4e-4},
                                   .free = WheelsetOnTrack::Free::nothing,
                                   .speeds = {.forward = 20},
                                   .force = 1e3};
-    const WheelsetForces driven = rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7}, workspace);
+    const WheelsetForces driven = rolling_forces(wheelset(), rolling, {.elements = 6, .strips = 7}, workspace);
     REQUIRE(driven.contacts.wheels[0].status == Status::no_contact);
     CHECK(driven.patches[1].at(0).status == Status::ok);
     CHECK(std::abs(driven.on_wheelset.force[0] - 1e3) < 0.5);
@@ -238,14 +236,13 @@ TEST_CASE("A longitudinal force of one wheel is had while the other one is lifte
 }
 
 TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanced", "[profiles]") {
-    const WheelsetOnTrack wheelset(wheel());
     WheelsetOnTrack::Workspace workspace;
     const RollingFriction friction{.coefficient = 0.6, .elements = 3, .strips = 5};
     WheelsetRolling rolling{.position = {.lateral = 7.5e-3, .yaw = 9e-4},
                             .free = WheelsetOnTrack::Free::height,
                             .speeds = {.forward = 20},
                             .force = 0};
-    const WheelsetForces found = rolling_forces(wheelset, rolling, friction, workspace, few_cells);
+    const WheelsetForces found = rolling_forces(wheelset(), rolling, friction, workspace, few_cells);
     REQUIRE(found.contacts.status == Status::unbalanced);
     CHECK(found.status() == Status::unbalanced);
     CHECK(std::abs(found.on_wheelset.force[0]) < 1e-2 * 2e5);
@@ -253,24 +250,23 @@ TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanc
     rolling.force.reset();
     rolling.free_pitch = false;
     rolling.speeds.pitch_rate = found.pitch_rate;
-    const double again = rolling_forces(wheelset, rolling, friction, workspace, few_cells).on_wheelset.force[0];
+    const double again = rolling_forces(wheelset(), rolling, friction, workspace, few_cells).on_wheelset.force[0];
     CHECK(again == Approx(found.on_wheelset.force[0]).epsilon(1e-6));
 }
 
 TEST_CASE("Loads are carried by normal forces, or by friction's vertical share too", "[profiles]") {
-    const WheelsetOnTrack wheelset(wheel());
     WheelsetOnTrack::Workspace workspace;
     const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
     WheelsetRolling rolling{.position = {.lateral = 6.1e-3, .roll = 0, .yaw = 5e-3},
                             .free = WheelsetOnTrack::Free::height,
                             .loads_include_friction = false};
-    const WheelsetForces normal = rolling_forces(wheelset, rolling, friction, workspace);
+    const WheelsetForces normal = rolling_forces(wheelset(), rolling, friction, workspace);
     WheelsetOnTrack::Workspace other;
-    const auto alone = wheelset.solve(rolling.position, rolling.loads, other, rolling.free);
+    const auto alone = wheelset().solve(rolling.position, rolling.loads, other, rolling.free);
     REQUIRE((has_numbers(normal.contacts.status) && has_numbers(alone.status)));
     CHECK(std::abs(normal.contacts.wheels[1].height - alone.wheels[1].height) < 1e-9);
     rolling.loads_include_friction = true;
-    const WheelsetForces all = rolling_forces(wheelset, rolling, friction, workspace);
+    const WheelsetForces all = rolling_forces(wheelset(), rolling, friction, workspace);
     REQUIRE(has_numbers(all.contacts.status));
     CHECK(all.on_wheel[1].force[2] == Approx(-1e5).epsilon(1e-5));
     double share = 0;

@@ -22,14 +22,9 @@ namespace wear_tests {
 namespace {
 
 using namespace rollbem;
-using testing::s1002_60e1, testing::steel;
+using testing::s1002_60e1, testing::s1002_on_60e1, testing::steel;
 
 constexpr double load = 1e5, mu = 0.3, speed = 15, radius = 0.46;
-
-const WheelsetOnTrack& track() {
-    static const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
-    return wheelset;
-}
 
 /// A place in a curve to the left.
 struct Place {
@@ -49,13 +44,13 @@ constexpr Place places[] = {{1e-3, 0, 4e-4}, {3.2e-3, -2e-4, 1e-3}, {5.2e-3, 5e-
 
 TEST_CASE("Work and fatigue by table agree with patches at the same places", "[wear]") {
     WheelsetOnTrack::Workspace workspace;
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     constexpr Eigen::Index cells = 300;
     double by_patches = 0, by_table = 0, misplaced = 0;
     for (const Place& place : places) {
         WheelsetRolling rolling{.position = place.position(), .loads = {load, load}, .speeds = place.speeds()};
         rolling.free_pitch = false;
-        const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
+        const WheelsetForces forces = rolling_forces(s1002_on_60e1(), rolling, {.coefficient = mu}, workspace);
         REQUIRE(has_numbers(forces.contacts.status));
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const auto k = std::size_t(side);
@@ -106,7 +101,7 @@ TEST_CASE("Work and fatigue by table agree with patches at the same places", "[w
 }
 
 TEST_CASE("Work is done where a point slips, at its place on the rail", "[wear]") {
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     for (const Place& place : places) {
         for (WheelForces::Point point : place.by_table(WheelsetSide::right).points) {
             if (!(point.load_share > 0)) continue;
@@ -187,7 +182,7 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
 }
 
 TEST_CASE("Wear over a profile takes work at any place, and none without result", "[wear]") {
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     ProfileWear wear(rail, 50);
     PatchForce friction = strip_work_of(loaded_point(), steel(), mu);
     const double work = friction.strip_work.sum();
@@ -249,8 +244,8 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
     const Place& place = places[3];
     WheelsetRolling rolling{.position = place.position(), .loads = {load, load}, .speeds = place.speeds()};
     rolling.free_pitch = false;
-    const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
-    const Profile& rail = track().wheel().rail();
+    const WheelsetForces forces = rolling_forces(s1002_on_60e1(), rolling, {.coefficient = mu}, workspace);
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     for (const ProfileWear::Law& law : {ProfileWear::Law::t_gamma(), ProfileWear::Law::archard_kth()}) {
         ProfileWear wear(rail, 700);
         double sum = 0;
@@ -301,7 +296,7 @@ TEST_CASE("Work of a point without load or without slip", "[wear]") {
     CHECK(still.strip_work.minCoeff() > 0);
     CHECK((still.strip_work - still.strip_work.reverse()).abs().maxCoeff() < 1e-22);
     point.rail_y = 1;
-    CHECK(std::isnan(arc_length(track().wheel().rail(), point)));
+    CHECK(std::isnan(arc_length(s1002_on_60e1().wheel().rail(), point)));
     const auto kalker = creep_coefficients(steel(), PatchContact({6e-3, 6e-3, 8e10, 0.28}));
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
