@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 #include <rollbem/normal/profile.hpp>
@@ -25,8 +24,6 @@ const WheelsetOnTrack& wheelset() {
     return standard;
 }
 const WheelOnRail& wheel() { return wheelset().wheel(); }
-const WheelOnRail::Options few_cells{.cells_x = 8, .cells_s = 6, .halves_cells = false};
-
 /// The right wheel at the gauge corner: the outline and the pressures have two lobes.
 struct Scene {
     WheelsetPosition at;
@@ -191,10 +188,12 @@ TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[pr
 
 TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]") {
     WheelsetOnTrack::Workspace workspace;
-    const RollingFriction friction{.coefficient = 0.3, .elements = 4, .strips = 5};
+    const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
+    const WheelsetPosition at = wheelset().solve({.lateral = -1e-3}, {1e5, 1e5}, workspace).position;
     for (const double forward : {20.0, -20.0}) {
-        WheelsetRolling rolling{.position = {.lateral = -1e-3}, .speeds = {.forward = forward}, .force = 2e4};
-        const WheelsetForces driven = rolling_forces(wheelset(), rolling, friction, workspace, few_cells);
+        WheelsetRolling rolling{
+            .position = at, .free = WheelsetOnTrack::Free::nothing, .speeds = {.forward = forward}, .force = 2e4};
+        const WheelsetForces driven = rolling_forces(wheelset(), rolling, friction, workspace);
         CAPTURE(forward, driven.pitch_rate);
         REQUIRE(driven.contacts.status == Status::ok);
         CHECK(std::abs(driven.on_wheelset.force[0] - 2e4) < 1);
@@ -202,12 +201,12 @@ TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]
         rolling.force.reset();
         rolling.free_pitch = false;
         rolling.speeds.pitch_rate = driven.pitch_rate;
-        const WheelsetForces given = rolling_forces(wheelset(), rolling, friction, workspace, few_cells);
+        const WheelsetForces given = rolling_forces(wheelset(), rolling, friction, workspace);
         CHECK(std::abs(given.on_wheelset.force[0] - 2e4) < 2);
     }
-    const WheelsetForces beyond =
-        rolling_forces(wheelset(), {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 7e4}, friction,
-                       workspace, few_cells);
+    const WheelsetForces beyond = rolling_forces(
+        wheelset(), {.position = at, .free = WheelsetOnTrack::Free::nothing, .speeds = {.forward = 20}, .force = 7e4},
+        friction, workspace);
     for (const auto& patches : beyond.patches) {
         CHECK(patches.at(0).status == Status::no_solution);
         CHECK(patches.at(0).strip_work.size() == 0);
@@ -238,6 +237,7 @@ TEST_CASE("A longitudinal force of one wheel is had while the other one is lifte
 TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanced", "[profiles]") {
     WheelsetOnTrack::Workspace workspace;
     const RollingFriction friction{.coefficient = 0.6, .elements = 3, .strips = 5};
+    const WheelOnRail::Options few_cells{.cells_x = 8, .cells_s = 6, .halves_cells = false};
     WheelsetRolling rolling{.position = {.lateral = 7.5e-3, .yaw = 9e-4},
                             .free = WheelsetOnTrack::Free::height,
                             .speeds = {.forward = 20},

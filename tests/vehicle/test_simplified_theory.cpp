@@ -66,18 +66,17 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
 struct WideStrip {
     PatchContact contact{{1, 1e3, 1, nu}};
     CreepCoefficients<double> limit{pi * pi / (4 * (1 - nu)), pi* pi / 4, pi / 3 / std::sqrt(1e3), 0, 0};
-    double peak = 1e-3;  // mu p0, of half-length and G of 1
-    int elements;
+    double peak = 1e-3;              // mu p0, of half-length and G of 1
     TangentialForce force{0, 0, 0};  // over the force of full sliding
     std::vector<SimplifiedTheory::Element> found;
 
-    WideStrip(const Creepage& at, int count, int strip = 4) : elements(count) {
+    WideStrip(const Creepage& at, int count, int strip = 4) {
         const SimplifiedTheory theory(contact, limit, 1, peak * 2 * pi * 1e3 / 3, {9, count});
         const auto status = theory.fastrip(at, [&](const SimplifiedTheory::Element& element) {
             if (element.strip != strip) return;
             found.push_back(element);
             for (std::size_t k = 0; k < 2; ++k) {
-                (k == 0 ? force.longitudinal : force.lateral) += element.traction[k] * 2 / elements / (peak * pi / 2);
+                (k == 0 ? force.longitudinal : force.lateral) += element.traction[k] * 2 / count / (peak * pi / 2);
             }
         });
         REQUIRE(status.status == Status::ok);

@@ -9,7 +9,6 @@
 
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_wear.hpp>
-#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/detail/mirror.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
