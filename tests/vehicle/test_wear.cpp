@@ -61,21 +61,17 @@ TEST_CASE("Work and fatigue by table agree with patches at the same places", "[w
                 index = std::max(index, surface_fatigue_index(patch, forces.patches[k][i], 3e8));
                 gamma += t_gamma(forces.patches[k][i]);
                 peak = std::max(peak, patch.peak_pressure);
-                // pressures alone, without friction: yield at p_max gives -1
-                CHECK(surface_fatigue_index(patch, {.force = {0, 0, 0}}, patch.peak_pressure) == -1);
             }
             const Eigen::ArrayXd exact = wear.work() * wear.width();
             const WheelForces wheel = place.by_table(side);
             ProfileWear table(rail, cells);
             double table_index = -1, table_gamma = 0, table_peak = 0;
-            for (WheelForces::Point point : wheel.points) {
+            for (const WheelForces::Point& point : wheel.points) {
                 if (!(point.load_share > 0)) continue;
                 table.add(arc_length(rail, point), strip_work_of(point, steel(), mu));
                 table_gamma += t_gamma(point);
                 table_index = std::max(table_index, surface_fatigue_index(point, 3e8));
                 table_peak = std::max(table_peak, point.peak_pressure);
-                point.force = {0, 0, 0};
-                CHECK(surface_fatigue_index(point, point.peak_pressure) == -1);
             }
             const Eigen::ArrayXd found = table.work() * table.width();
             CAPTURE(place.shift, k, table_peak / peak, exact.sum(), found.sum(), index, table_index,
