@@ -44,21 +44,11 @@ inline Numbers draw_wheel(Draw& draw, bool rolls, double largest_shift = 8e-3) {
 /// Values are forces, moments and heat. The table gives all lengths.
 inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
     constexpr double Q = 1e5;
+    const Quantity length{1e-4}, slide{0.03, 0, 0, -1}, turn{0.02, 0, 0, -1};
     steel();  // is read now, not by an answer
     ForceElement result{
         .name = rolls ? "a wheel, with a roll" : "a wheel",
-        .inputs = {{1e-4},
-                   {1e-4},
-                   {0.03, 0, 0, -1},
-                   {0.06, 0, 0, -1},
-                   {0.03, 0, 0, -1},
-                   {0.03, 0, 0, -1},
-                   {0.02, 0, 0, -1},
-                   {0.02, 0, 0, -1},
-                   {Q},
-                   {0.3},
-                   {1e-4},
-                   {0}},
+        .inputs = {length, length, slide, {0.06, 0, 0, -1}, slide, slide, turn, turn, {Q}, {0.3}, length, {0}},
         .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {Q, 0, 0, -1}},
         .draw = [rolls](Draw& draw) { return draw_wheel(draw, rolls); },
         .answer =

