@@ -70,16 +70,12 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
     RailPatch patch;
     patch.status = Status::ok;
     patch.grid = {1, 200, 0, 0.0025, 1, 0.005};
-    Eigen::ArrayXd y(200), height(200);
-    for (Eigen::Index j = 0; j < 200; ++j) {
-        y[j] = patch.grid.y(j);
-        const auto parabola = [&](double low, double width) {
-            const double t = (y[j] - low) / width;
-            return std::max(0.0, 4 * t * (1 - t));
-        };
-        height[j] = parabola(0, 0.1) + lobes.second * parabola(0.1, lobes.width);
-    }
-    const Eigen::ArrayXd even = Eigen::ArrayXd::Ones(200), half_length = outlined ? height.max(0.01) : even;
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(200, patch.grid.y(0), patch.grid.y(199));
+    const auto parabola = [&](double low, double width) -> Eigen::ArrayXd {
+        return (4 * (y - low) / width * (1 - (y - low) / width)).max(0);
+    };
+    const Eigen::ArrayXd height = parabola(0, 0.1) + lobes.second * parabola(0.1, lobes.width),
+                         even = Eigen::ArrayXd::Ones(200), half_length = outlined ? height.max(0.01) : even;
     patch.outline.emplace(y, -half_length, half_length);
     patch.pressure = (outlined ? even : height).transpose();
     CHECK(elements_for(patch).strips == lobes.strips);
