@@ -29,15 +29,8 @@ inline Creepage creepage_in(const Numbers& x) { return {x[0], x[1], x[2]}; }
 inline PatchContact contact_in(const Numbers& x) { return PatchContact({x[5], x[6], x[7], 0.28}); }
 
 inline Answer answer_of(const CreepForceTable::Force& at) {
-    Answer result{Numbers(3), Tangent(3, 7), at.status};
-    result.values = creep_forces::array(at.force);
-    Eigen::Index j = 0;
-    for (const TangentialForce& by :
-         {at.tangent.by_longitudinal, at.tangent.by_lateral, at.tangent.by_spin, at.tangent_by_load,
-          at.tangent_by_friction_coefficient, at.tangent_by_half_length, at.tangent_by_half_width}) {
-        result.tangent.col(j++) = creep_forces::array(by);
-    }
-    return result;
+    const auto all = creep_forces::numbers(at).matrix();
+    return {all.col(0), all.rightCols<7>(), at.status};
 }
 
 inline const std::vector<Symmetry> symmetries{{"across the track", "+--+++++", "+--"},

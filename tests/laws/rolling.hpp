@@ -23,8 +23,8 @@ inline WheelsetForces forces_of(const Numbers& x, bool curved) {
                           {.position = {.lateral = x[0], .yaw = x[1]},
                            .loads = {x[7] - x[8], x[7] + x[8]},
                            .speeds = {x[2], 0, x[3], x[4], x[5], x[6]}},
-                          {.coefficient = x[9], .elements = 6, .strips = 7, .curved_slip = curved}, workspace,
-                          {.cells_x = 20, .cells_s = 16, .halves_cells = false});
+                          {.coefficient = x[9], .elements = 4, .strips = 5, .curved_slip = curved}, workspace,
+                          {.cells_x = 10, .cells_s = 8, .halves_cells = false});
 }
 
 /// What acts on the rail below a wheel: tractions of elements, and pressures of rows of cells along the normals of the

@@ -10,17 +10,11 @@
 #include <rollbem/vehicle.hpp>
 
 #include "laws/force_element.hpp"
+#include "vehicle/made_tables.hpp"
 
 namespace laws {
 
-inline const CreepForceTable& steel_creep() {
-    static const auto table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    return table;
-}
-inline const ContactTable& s1002_on_60e1() {
-    static const auto table = ContactTable::read(ROLLBEM_S1002_CONTACT);
-    return table;
-}
+using testing::s1002_60e1, testing::steel;
 
 /// -1 stands for the left side, 1 for the right one, and nothing for any other number.
 inline WheelsetSide side_of(double sign) {
@@ -28,50 +22,38 @@ inline WheelsetSide side_of(double sign) {
     return sign < 0 ? WheelsetSide::left : WheelsetSide::right;
 }
 
-/// The inputs of WheelForces, and the side, -1 for left; without a roll of its own the roll of equal loads. Values are
-/// forces, moments and heat. The table gives all lengths.
+/// Forces by the inputs of WheelForces, where a roll of 0 stands for that of equal loads, and the side, -1 for left.
+inline WheelForces wheel_forces(const Numbers& x, ContactTable::Friction friction = {}, bool tangents = true) {
+    friction.coefficient = x[9];
+    const auto answer = tangents ? &ContactTable::look_up : &ContactTable::forces;
+    return (s1002_60e1().*answer)(steel(), side_of(x[11]), {.lateral = x[0], .yaw = x[1]},
+                                  {x[2], x[3], x[4], x[5], x[6], x[7]},
+                                  {x[8], x[10] != 0 ? std::optional(x[10]) : std::nullopt}, friction);
+}
+
+inline Numbers draw_wheel(Draw& draw, bool rolls, double largest_shift = 8e-3) {
+    const double lateral = largest_shift * draw.uniform(-1, 1) * (rolls ? 0.8 : 1), yaw = draw.uniform(-0.014, 0.014);
+    Numbers x(12);
+    x << lateral, yaw, 30, -30 / 0.46 + draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1), draw.uniform(-0.05, 0.05),
+        draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05), 1e5 * draw.uniform(0.5, 1.5), draw.uniform(0.2, 0.4), 0,
+        draw.sign();
+    if (rolls) x[10] = s1002_60e1().on_rails(lateral, yaw).roll + draw.uniform(-1e-4, 1e-4);
+    return x;
+}
+
+/// Values are forces, moments and heat. The table gives all lengths.
 inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
     constexpr double Q = 1e5;
-    const double radius = s1002_on_60e1().side(WheelsetSide::right).radius;
-    steel_creep();  // is read now, not by an answer
-    const auto look_up = [rolls, friction](const Numbers& x) {
-        ContactTable::Friction own = friction;
-        own.coefficient = x[9];
-        return s1002_on_60e1().look_up(steel_creep(), side_of(x[x.size() - 1]), {.lateral = x[0], .yaw = x[1]},
-                                       {x[2], x[3], x[4], x[5], x[6], x[7]},
-                                       {x[8], rolls ? std::optional(x[10]) : std::nullopt}, own);
-    };
+    const Quantity length{1e-4}, slide{0.03, 0, 0, -1}, turn{0.02, 0, 0, -1};
+    steel();  // is read now, not by an answer
     ForceElement result{
         .name = rolls ? "a wheel, with a roll" : "a wheel",
-        .inputs = {{1e-4},
-                   {1e-4},
-                   {0.03, 0, 0, -1},
-                   {0.06, 0, 0, -1},
-                   {0.03, 0, 0, -1},
-                   {0.03, 0, 0, -1},
-                   {0.02, 0, 0, -1},
-                   {0.02, 0, 0, -1},
-                   {Q},
-                   {0.3},
-                   {1e-4},
-                   {0}},
+        .inputs = {length, length, slide, {0.06, 0, 0, -1}, slide, slide, turn, turn, {Q}, {0.3}, length, {0}},
         .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {Q, 0, 0, -1}},
-        .draw =
-            [rolls, radius](Draw& draw) {
-                const double lateral = draw.uniform(-8e-3, 8e-3) * (rolls ? 0.8 : 1), yaw = draw.uniform(-0.014, 0.014);
-                Numbers x(12);
-                x << lateral, yaw, 30, -30 / radius + draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1),
-                    draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05),
-                    Q * draw.uniform(0.5, 1.5), draw.uniform(0.2, 0.4), 0, draw.sign();
-                if (rolls) x[10] = s1002_on_60e1().on_rails(lateral, yaw).roll + draw.uniform(-1e-4, 1e-4);
-                if (rolls) return x;
-                x[10] = x[11];
-                x.conservativeResize(11);
-                return x;
-            },
+        .draw = [rolls](Draw& draw) { return draw_wheel(draw, rolls); },
         .answer =
-            [rolls, look_up](const Numbers& x) {
-                const WheelForces at = look_up(x);
+            [rolls, friction](const Numbers& x) {
+                const WheelForces at = wheel_forces(x, friction);
                 Answer answer{Numbers(7), at.tangent.leftCols(rolls ? 11 : 10), at.status};
                 answer.values << at.force, at.status == Status::ok ? at.heat : nan;
                 if (at.status != Status::ok) answer.tangent.setConstant(nan);
@@ -82,11 +64,11 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
                      {1, {0.1, -1}, Status::wrong_table},
                      {8, {-1, -1e-300, 1e151, 1e300}, Status::invalid_load},
                      {9, {-1, -1e-300}, Status::invalid_load}}};
-    result.on_rail = [look_up](const Numbers& x) {
-        const double sign = x[x.size() - 1];
+    result.on_rail = [friction](const Numbers& x) {
+        const double sign = x[11];
         const Eigen::DiagonalMatrix<double, 3> mirror(1, sign, 1);
         std::vector<Wrench> parts;
-        for (const WheelForces::Point& point : look_up(x).points) {
+        for (const WheelForces::Point& point : wheel_forces(x, friction).points) {
             if (!(point.load_share > 0)) continue;
             const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
             const Eigen::AngleAxisd normal(point.angle, axis), plane(point.friction_angle, axis);
@@ -98,10 +80,6 @@ inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& fric
         }
         return parts;
     };
-    if (!rolls) {
-        result.inputs.erase(result.inputs.begin() + 10);
-        for (Symmetry& symmetry : result.symmetries) symmetry.inputs.erase(10, 1);
-    }
     for (std::size_t j = 0; j < 10; ++j) result.refusals.push_back({j, {nan, infinite, -infinite}, Status::not_finite});
     return result;
 }
@@ -120,7 +98,7 @@ inline ForceElement height_and_roll() {
                 },
             .answer =
                 [](const Numbers& x) {
-                    const auto at = s1002_on_60e1().on_rails(x[0], x[1], {x[2] - x[3], x[2] + x[3]});
+                    const auto at = s1002_60e1().on_rails(x[0], x[1], {x[2] - x[3], x[2] + x[3]});
                     Answer answer{Numbers(2), Tangent(2, 4)};
                     answer.values << at.height, at.roll;
                     answer.tangent << at.height_by_lateral, at.height_by_yaw,
@@ -142,13 +120,13 @@ inline ForceElement load_at_height() {
                     Numbers x(4);
                     const double lateral = draw.uniform(-6e-3, 6e-3), yaw = draw.uniform(-0.012, 0.012);
                     const double side = draw.sign(), Q = draw.uniform(5e4, 1.3e5);
-                    const auto at = s1002_on_60e1().on_rails(lateral, yaw, {Q, Q});
+                    const auto at = s1002_60e1().on_rails(lateral, yaw, {Q, Q});
                     x << lateral, yaw, at.height + side * ContactTable::half_base * at.roll, side;
                     return x;
                 },
             .answer =
                 [](const Numbers& x) {
-                    const auto at = s1002_on_60e1().load_at_height(side_of(x[3]), x[0], x[1], x[2]);
+                    const auto at = s1002_60e1().load_at_height(side_of(x[3]), x[0], x[1], x[2]);
                     Answer answer{Numbers::Constant(1, at.load), Tangent(1, 3), at.status};
                     answer.tangent << at.by_lateral, at.by_yaw, at.by_height;
                     if (at.status != Status::ok) answer.tangent.setConstant(nan);

@@ -47,6 +47,20 @@ inline CreepForceTable table(int levels, int shapes) {
     return {nodes, values};
 }
 
+/// An ellipse of steel with c = 5 mm.
+inline PatchContact contact(double a_over_b, double nu = 0.28) {
+    return PatchContact({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), 8e10, nu});
+}
+
 inline Eigen::Array3d array(const TangentialForce& force) { return {force.longitudinal, force.lateral, force.moment}; }
+
+/// The force, then its derivatives by creepages, N, mu, a and b.
+inline Eigen::Array<double, 3, 8> numbers(const CreepForceTable::Force& at) {
+    Eigen::Array<double, 3, 8> all;
+    all << array(at.force), array(at.tangent.by_longitudinal), array(at.tangent.by_lateral), array(at.tangent.by_spin),
+        array(at.tangent_by_load), array(at.tangent_by_friction_coefficient), array(at.tangent_by_half_length),
+        array(at.tangent_by_half_width);
+    return all;
+}
 
 }  // namespace creep_forces

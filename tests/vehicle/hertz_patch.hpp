@@ -1,8 +1,6 @@
 // A patch under Hertz's pressure on a level rail.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <Eigen/Core>
@@ -25,13 +23,9 @@ inline RailPatch hertz_patch(double a, double b, double load) {
                           Eigen::ArrayXd(a * angle.sin()));
     const Eigen::Index n = 81;
     patch.grid = {n, n, -a, -b, 2 * a / double(n - 1), 2 * b / double(n - 1)};
-    patch.pressure.resize(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const double rest = 1 - std::pow(patch.grid.x(i) / a, 2) - std::pow(patch.grid.y(j) / b, 2);
-            patch.pressure(i, j) = patch.peak_pressure * std::sqrt(std::max(rest, 0.0));
-        }
-    }
+    const Eigen::ArrayXd square = Eigen::ArrayXd::LinSpaced(n, -1, 1).square();  // over a and over b
+    const auto rest = 1 - square.replicate(1, n) - square.transpose().replicate(n, 1);
+    patch.pressure = patch.peak_pressure * rest.max(0).sqrt();
     patch.rail_slope = patch.rail_n = patch.wheel_n = Eigen::ArrayXd::Zero(n);
     return patch;
 }

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 #include "vehicle/creep_force_scene.hpp"
+#include "vehicle/made_tables.hpp"
 
 namespace creep_force_table_tests {
 
@@ -27,15 +27,12 @@ using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using creep_forces::array, support::observed_order;
+using creep_forces::array, creep_forces::contact, creep_forces::numbers, support::observed_order;
+using testing::steel;
 
 namespace {
 
 constexpr double mu = 0.3, load = 8e4, modulus = 8e10;
-
-PatchContact contact(double a_over_b, double nu = 0.28) {
-    return PatchContact({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
-}
 
 /// Creepages of a level near saturation: in units of mu N/(G a b), the spin over c besides.
 Creepage creepage(const PatchContact& patch, double x, double y, double spin) {
@@ -118,7 +115,7 @@ TEST_CASE("full_sliding: extreme ellipses and creepages have numbers") {
     }
 }
 
-TEST_CASE("creep_force_table: no creepage, no force; small creepages by the linear law") {
+TEST_CASE("creep_force_table: no creepage, no force, and tangents of the linear law") {
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table
         const PatchContact patch = contact(a_over_b);
@@ -126,39 +123,29 @@ TEST_CASE("creep_force_table: no creepage, no force; small creepages by the line
         REQUIRE(rest.status == Status::ok);
         CHECK((array(rest.force) == 0).all());
         const auto c = creep_forces::coefficients(a_over_b);
-        const double stiffness = -modulus * patch.c() * patch.c(), length = patch.c();
-        const auto close = [](double value, double expected) { CHECK_THAT(value, WithinRel(expected, 1e-6)); };
-        close(rest.tangent.by_longitudinal.longitudinal, stiffness * c.c11);
-        close(rest.tangent.by_lateral.lateral, stiffness * c.c22);
-        close(rest.tangent.by_spin.lateral, stiffness * length * c.c23);
-        close(rest.tangent.by_lateral.moment, stiffness * length * c.c32);
-        close(rest.tangent.by_spin.moment, stiffness * length * length * c.c33);
-        CHECK(rest.tangent.by_longitudinal.lateral == 0);
-        CHECK(rest.tangent.by_spin.longitudinal == 0);
-        const CreepForceTable::Force small = table.look_up(patch, mu, load, creepage(patch, 1e-6, -2e-6, 3e-6));
-        const Eigen::Array3d linear(c.c11, -2 * c.c22 + 3 * c.c23, -2 * c.c32 + 3 * c.c33);
-        CHECK(((ratios(patch, small) * 1e6 - linear).abs() < 1e-4 * linear.abs().maxCoeff()).all());
+        const double length = patch.c();
+        Eigen::Array33d expected;
+        expected << c.c11, 0, 0, 0, c.c22, length * c.c23, 0, length * c.c32, length * length * c.c33;
+        expected *= -modulus * length * length;
+        CHECK(((numbers(rest).middleCols<3>(1) - expected).abs() <= 1e-6 * expected.abs()).all());
     }
 }
 
 TEST_CASE("creep_force_table: forces stay within mu N, also where the bound acts") {
-    static const auto table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    std::mt19937_64 random(76);
-    const auto between = [&](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
+    drawn::Draw draw(76);
     int acts = 0;
     for (int i = 0; i < 3000; ++i) {
-        const PatchContact patch = contact(std::pow(10, between(-1, 1)));
-        const double size = between(0.3, 3), way = between(0, 2 * std::numbers::pi);
-        const Creepage v = creepage(patch, size * std::cos(way), size * std::sin(way), 0.2 * size * between(-1, 1));
-        const CreepForceTable::Force at = table.look_up(patch, mu, load, v);
+        const PatchContact patch = contact(draw.decades(-1, 1));
+        const double size = draw.uniform(0.3, 3), way = draw.uniform(0, 2 * std::numbers::pi);
+        const Creepage v =
+            creepage(patch, size * std::cos(way), size * std::sin(way), 0.2 * size * draw.uniform(-1, 1));
+        const CreepForceTable::Force at = steel().look_up(patch, mu, load, v);
         const auto part = [&](const TangentialForce& of) {
             return std::hypot(of.longitudinal, of.lateral) / (mu * load);
         };
         CAPTURE(i, part(at.force));
         REQUIRE(part(at.force) <= 1 + 1e-14);
-        REQUIRE(part(table.force<double>({patch.half_length(), patch.half_width(), modulus, 0.28}, mu, load, v)) <=
+        REQUIRE(part(steel().force<double>({patch.half_length(), patch.half_width(), modulus, 0.28}, mu, load, v)) <=
                 1 + 1e-14);
         if (part(at.force) > 0.9995) ++acts;
     }
@@ -212,11 +199,10 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
         counts.push_back(levels);
         errors.push_back(std::sqrt(sum / count));
         outside.push_back(std::sqrt(beyond / count));
-        INFO("levels " << levels << ": " << errors.back() << ", full sliding " << outside.back());
+        CAPTURE(levels);
         CHECK(errors.back() < 0.05);
     }
-    INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2] << "; " << outside[0] << ' ' << outside[1] << ' '
-                   << outside[2]);
+    CAPTURE(errors, outside);
     // no third derivative where the pole of the spin crosses the edge: order 2.5 in the cells there, 3 in the mean
     CHECK_THAT(observed_order(counts, errors), WithinAbs(3, 0.5));
     // the second derivative by |u| changes its sign where forces are mirrored
@@ -250,8 +236,7 @@ TEST_CASE("creep_force_table: tangents without friction and at rest, and continu
                 const Eigen::Array3d difference = array(table.look_up(round, mu, load, beside).force) - array(at.force);
                 const Eigen::Array3d slope = array(tangent) * (unit.*which);
                 const Eigen::Array3d scale = Eigen::Array3d(1, 1, round.c()) * mu * load;
-                INFO("step " << step << ", difference " << difference.transpose() / step << ", tangent "
-                             << slope.transpose());
+                CAPTURE(step, difference.transpose() / step, slope.transpose());
                 CHECK((((difference / step - slope) / scale).abs() < 1e-4).all());
             }
         }
@@ -351,10 +336,9 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
                ContainsSubstring("CreepForceTable: no such file must be a file that can be read"));
     CHECK_THAT(refusal([] { CreepForceTable::read("."); }),  // a folder
                ContainsSubstring("CreepForceTable: . must be a file that can be read"));
-    CHECK_THAT(refused(""), ContainsSubstring("must not end"));
-    CHECK_THAT(refused("rollbem"), ContainsSubstring("must not end"));
     CHECK_THAT(refused("a_over_b,poisson,n,strips,longitudinal"), ContainsSubstring("must begin with"));
-    for (const std::size_t length : {std::size_t(25), good.size() / 2, good.size() - 1}) {
+    for (const std::size_t length :
+         {std::size_t(0), std::size_t(7), std::size_t(25), good.size() / 2, good.size() - 1}) {
         CHECK_THAT(refused(good.substr(0, length)), ContainsSubstring("must not end"));
     }
     const auto changed = [&](std::size_t place, char by) {
@@ -390,8 +374,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
 }
 
 TEST_CASE("creep_force_table: the table of steel holds the forces of its patches") {
-    const CreepForceTable steel = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    const CreepForceTable::Grid& grid = steel.grid();
+    const CreepForceTable::Grid& grid = steel().grid();
     const CreepForceTable::Grid::Range range;
     CHECK(grid.poisson_ratio() == range.poisson_ratio);
     CHECK(grid.shapes() == range.shapes);
@@ -408,7 +391,7 @@ TEST_CASE("creep_force_table: the table of steel holds the forces of its patches
             REQUIRE(solution.step.status == Status::ok);
             const PatchContact& patch = source.contact();
             const double limit = patch.half_width();  // mu N = G a b
-            const auto found = steel.look_up(patch, 1, limit, {v.longitudinal, v.lateral, v.spin / patch.c()});
+            const auto found = steel().look_up(patch, 1, limit, {v.longitudinal, v.lateral, v.spin / patch.c()});
             const Eigen::Array3d force = -array(found.force) / limit / Eigen::Array3d(1, 1, patch.c());
             CAPTURE(shape, node, v.longitudinal, v.lateral, v.spin, force, solution.force);
             const bool is_bounded = solution.force.head<2>().matrix().norm() > 0.9995;

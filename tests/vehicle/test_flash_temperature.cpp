@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
@@ -53,23 +52,14 @@ TEST_CASE("A band of uniform heat is as hot as Carslaw and Jaeger say, however i
 
 TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "[profiles]") {
     const RollingFriction::Heating heating;
-    const PatchForce found = sliding({.coefficient = mu, .elements = 40, .strips = 15, .heating = heating});
+    const PatchForce found = sliding({.coefficient = mu, .elements = 30, .strips = 9, .heating = heating});
     REQUIRE(found.status == Status::ok);
     CHECK_THAT(found.slip_work * 30, WithinRel(mu * load * slide, 3e-3));
     // heat of rigid slip; the heat of elastic surfaces differs by the strain, which is small beside the creepage
-    const auto rule = detail::gauss_legendre<double>(40);
-    double largest = 0;
-    for (double x = -a; x < a; x += a / 50) {
-        const double end = std::sqrt(a - x);  // x' - x = t^2
-        double sum = 0;
-        for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
-            const double t = end * (1 + rule.nodes[k]) / 2, u = (x + t * t) / a;
-            sum += rule.weights[k] * end * std::sqrt(std::max(1 - u * u, 0.0));
-        }
-        const double heat = mu * slide * ellipse().peak_pressure;
-        largest = std::max(largest, heat / 2 * sum * std::sqrt(heating.diffusivity() / (std::numbers::pi * 30)) / 50);
-    }
-    CHECK_THAT(found.peak_temperature, WithinRel(largest, 0.03));
+    constexpr double shape = 2.1884;  // the largest integral of sqrt(1 - u^2)/sqrt(u - x) over u from x to 1
+    const double heat = mu * slide * ellipse().peak_pressure;
+    CHECK_THAT(found.peak_temperature,
+               WithinRel(heat / 2 * shape * std::sqrt(heating.diffusivity() * a / (std::numbers::pi * 30)) / 50, 0.03));
     CHECK(std::isnan(sliding({.coefficient = mu}).peak_temperature));
 }
 
@@ -82,7 +72,7 @@ TEST_CASE("A band of uniform pressure is hottest at its trailing edge", "[profil
     const RollingFriction::Heating heating;
     const PatchForce found =
         patch_force(band, {}, {.forward = 29.5, .pitch_rate = -30.5 / radius}, WheelOnRail::Dimensions{},
-                    {.coefficient = mu, .elements = 4, .strips = 5, .heating = heating});
+                    {.coefficient = mu, .elements = 2, .strips = 5, .heating = heating});
     REQUIRE(found.status == Status::ok);
     const double heat = mu * slide * band.peak_pressure;
     CHECK_THAT(found.peak_temperature,
@@ -138,6 +128,7 @@ TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]")
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(why({.coefficient = -1}), ContainsSubstring("coefficient = -1 must be finite and not negative"));
     CHECK_THAT(why({.layer = nan}), ContainsSubstring("layer = nan"));
+    CHECK_THAT(why({.layer = -1}), ContainsSubstring("layer = -1"));
     CHECK_THAT(heated({.conductivity = 0}), ContainsSubstring("conductivity = 0"));
     CHECK_THAT(heated({.heat_capacity = -3.5e6}), ContainsSubstring("heat_capacity = -3500000"));
     CHECK_THAT(hot({-0.1, 0, 30}), ContainsSubstring("hot coefficient = -0.1"));

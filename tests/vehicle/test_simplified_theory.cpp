@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <rollbem/line.hpp>
@@ -66,18 +67,17 @@ TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the
 struct WideStrip {
     PatchContact contact{{1, 1e3, 1, nu}};
     CreepCoefficients<double> limit{pi * pi / (4 * (1 - nu)), pi* pi / 4, pi / 3 / std::sqrt(1e3), 0, 0};
-    double peak = 1e-3;  // mu p0, of half-length and G of 1
-    int elements;
+    double peak = 1e-3;              // mu p0, of half-length and G of 1
     TangentialForce force{0, 0, 0};  // over the force of full sliding
     std::vector<SimplifiedTheory::Element> found;
 
-    WideStrip(const Creepage& at, int count, int strip = 4) : elements(count) {
+    WideStrip(const Creepage& at, int count, int strip = 4) {
         const SimplifiedTheory theory(contact, limit, 1, peak * 2 * pi * 1e3 / 3, {9, count});
         const auto status = theory.fastrip(at, [&](const SimplifiedTheory::Element& element) {
             if (element.strip != strip) return;
             found.push_back(element);
             for (std::size_t k = 0; k < 2; ++k) {
-                (k == 0 ? force.longitudinal : force.lateral) += element.traction[k] * 2 / elements / (peak * pi / 2);
+                (k == 0 ? force.longitudinal : force.lateral) += element.traction[k] * 2 / count / (peak * pi / 2);
             }
         });
         REQUIRE(status.status == Status::ok);
@@ -101,10 +101,12 @@ TEST_CASE("FaStrip's middle strip of a very wide ellipse is Carter's solution", 
 TEST_CASE("A strip of FaStrip that the spin moves as creepage moves it back sticks", "[simplified]") {
     const double spin = 1e-3, y = WideStrip({0, 0, spin}, 10, 6).found[0].y;
     REQUIRE(y > 100);
-    for (const SimplifiedTheory::Element& element : WideStrip({spin * y, 0, spin}, 50, 6).found) {
-        CHECK(std::abs(element.traction[0]) < 1e-9);
-        CHECK(element.traction[1] < 0);
-        CHECK(!element.slips);
+    for (const auto& [back, strip] : {std::pair(spin * y, 6), {0.0, 4}}) {  // the middle strip is not moved
+        for (const SimplifiedTheory::Element& element : WideStrip({back, 0, spin}, 50, strip).found) {
+            CHECK(std::abs(element.traction[0]) < 1e-9);
+            CHECK(element.traction[1] < 0);
+            CHECK(!element.slips);
+        }
     }
 }
 
@@ -229,9 +231,6 @@ TEST_CASE("Simplified theory refuses what it cannot take", "[simplified]") {
     CHECK(made(1, 0.3, 0, {}) == "SimplifiedTheory: load = 0 must be positive and finite");
     CHECK(made(1, 0.3, 1e5, {2, 10}) == "SimplifiedTheory: number of strips = 2 must be at least 3");
     CHECK(made(1, 0.3, 1e5, {10, 0}) == "SimplifiedTheory: number of elements = 0 must be at least 1");
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(theory({}).fastsim({nan, 0, 0}).status == Status::not_finite);
-    CHECK(std::isnan(theory({}).fastrip({0, nan, 0}).force.lateral));
     CHECK(theory({}).fastrip({0, 0, 0}).force.lateral == 0);
 }
 

@@ -30,35 +30,20 @@ HertzEllipse with_yaw(double yaw, double rail = 0.3) {
 
 }  // namespace
 
-TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a circle has no turn") {
+TEST_CASE("turned_axes: extents of the turned ellipse along the new axes, and its area") {
     for (const double a_over_b : {0.1, 0.5, 1.0, 3.0, 10.0}) {
         const SemiAxes axes = axes_of(a_over_b);
         CHECK(rolling_ellipse(axes, 0.0).axes == axes);
-        const SemiAxes quarter = rolling_ellipse(axes, pi / 2).axes;
-        CHECK_THAT(quarter.half_length, WithinRel(axes.half_width, 1e-14));
-        CHECK_THAT(quarter.half_width, WithinRel(axes.half_length, 1e-14));
-        for (const double turn : {-0.7, 0.01, 0.4, 1.3}) {
+        for (const double turn : {-0.7, 0.01, 0.4, 1.3, pi / 2}) {
             CAPTURE(a_over_b, turn);
             const auto [a, b] = rolling_ellipse(axes, turn).axes;
             CHECK_THAT(a * b, WithinRel(c * c, 1e-14));
-            // roots of the second moments of points of the turned ellipse
             const auto extent = [&](double by_a, double by_b) {
-                double sum = 0;
-                for (int k = 0; k < 8; ++k) {
-                    const double p = axes.half_length * std::cos(pi * k / 4),
-                                 q = axes.half_width * std::sin(pi * k / 4);
-                    sum += (by_a * p + by_b * q) * (by_a * p + by_b * q);
-                }
-                return std::sqrt(sum);
+                return std::hypot(by_a * axes.half_length, by_b * axes.half_width);
             };
-            CHECK_THAT(
-                a / b,
-                WithinRel(extent(std::cos(turn), -std::sin(turn)) / extent(std::sin(turn), std::cos(turn)), 1e-13));
+            CHECK_THAT(a / b, WithinRel(extent(std::cos(turn), std::sin(turn)) / extent(std::sin(turn), std::cos(turn)),
+                                        1e-13));
         }
-    }
-    for (const double turn : {-1.0, 0.3, 2.0}) {
-        CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_length, WithinRel(c, 1e-15));
-        CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_width, WithinRel(c, 1e-15));
     }
 }
 

@@ -9,35 +9,21 @@
 
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/profile_wear.hpp>
-#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/detail/mirror.hpp>
-#include <rollbem/vehicle/contact_table.hpp>
-#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
+#include "vehicle/made_tables.hpp"
 
 namespace wear_tests {
 namespace {
 
 using namespace rollbem;
+using testing::s1002_60e1, testing::s1002_on_60e1, testing::steel;
 
 constexpr double load = 1e5, mu = 0.3, speed = 15, radius = 0.46;
-
-const CreepForceTable& creep() {
-    static const auto table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
-    return table;
-}
-const ContactTable& contacts() {
-    static const auto table = ContactTable::read(ROLLBEM_S1002_CONTACT);
-    return table;
-}
-const WheelsetOnTrack& track() {
-    static const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
-    return wheelset;
-}
 
 /// A place in a curve to the left.
 struct Place {
@@ -48,47 +34,22 @@ struct Place {
         return {.forward = speed, .pitch_rate = -speed / radius, .yaw_rate = -speed * curvature};
     }
     WheelForces by_table(WheelsetSide side) const {
-        const WheelForces found = contacts().look_up(creep(), side, position(), speeds(), load, mu);
+        const WheelForces found = s1002_60e1().look_up(steel(), side, position(), speeds(), load, mu);
         REQUIRE(found.status == Status::ok);
         return found;
     }
 };
 constexpr Place places[] = {{1e-3, 0, 4e-4}, {3.2e-3, -2e-4, 1e-3}, {5.2e-3, 5e-4, 2.5e-3}, {6.2e-3, 4e-3, 3e-3}};
 
-Eigen::ArrayXd work_by_table(const WheelForces& wheel, Eigen::Index cells) {
-    const Profile& rail = track().wheel().rail();
-    ProfileWear wear(rail, cells);
-    for (const WheelForces::Point& point : wheel.points) {
-        if (point.load_share > 0) wear.add(arc_length(rail, point), strip_work_of(point, creep(), mu));
-    }
-    return wear.work() * wear.width();
-}
-
-TEST_CASE("Work by table over a profile adds up to the wheel's creep work", "[wear]") {
-    for (const Place& place : places) {
-        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
-            const WheelForces wheel = place.by_table(side);
-            double gamma = 0;
-            for (const WheelForces::Point& point : wheel.points) {
-                if (point.load_share > 0) gamma += t_gamma(point);
-            }
-            CAPTURE(place.shift, int(side), gamma);
-            CHECK(gamma > 0);
-            CHECK(work_by_table(wheel, 300).sum() == Approx(gamma).epsilon(1e-12));
-            CHECK(gamma * speed == Approx(wheel.heat).epsilon(2e-2));  // V of each point is not the vehicle's
-        }
-    }
-}
-
 TEST_CASE("Work and fatigue by table agree with patches at the same places", "[wear]") {
     WheelsetOnTrack::Workspace workspace;
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     constexpr Eigen::Index cells = 300;
     double by_patches = 0, by_table = 0, misplaced = 0;
     for (const Place& place : places) {
         WheelsetRolling rolling{.position = place.position(), .loads = {load, load}, .speeds = place.speeds()};
         rolling.free_pitch = false;
-        const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
+        const WheelsetForces forces = rolling_forces(s1002_on_60e1(), rolling, {.coefficient = mu}, workspace);
         REQUIRE(has_numbers(forces.contacts.status));
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const auto k = std::size_t(side);
@@ -100,23 +61,25 @@ TEST_CASE("Work and fatigue by table agree with patches at the same places", "[w
                 index = std::max(index, surface_fatigue_index(patch, forces.patches[k][i], 3e8));
                 gamma += t_gamma(forces.patches[k][i]);
                 peak = std::max(peak, patch.peak_pressure);
-                // pressures alone, without friction: yield at p_max gives -1
-                CHECK(surface_fatigue_index(patch, {.force = {0, 0, 0}}, patch.peak_pressure) == -1);
             }
             const Eigen::ArrayXd exact = wear.work() * wear.width();
             const WheelForces wheel = place.by_table(side);
-            const Eigen::ArrayXd found = work_by_table(wheel, cells);
-            double table_index = -1, table_peak = 0;
-            for (WheelForces::Point point : wheel.points) {
+            ProfileWear table(rail, cells);
+            double table_index = -1, table_gamma = 0, table_peak = 0;
+            for (const WheelForces::Point& point : wheel.points) {
                 if (!(point.load_share > 0)) continue;
+                table.add(arc_length(rail, point), strip_work_of(point, steel(), mu));
+                table_gamma += t_gamma(point);
                 table_index = std::max(table_index, surface_fatigue_index(point, 3e8));
                 table_peak = std::max(table_peak, point.peak_pressure);
-                point.force = {0, 0, 0};
-                CHECK(surface_fatigue_index(point, point.peak_pressure) == -1);
             }
+            const Eigen::ArrayXd found = table.work() * table.width();
             CAPTURE(place.shift, k, table_peak / peak, exact.sum(), found.sum(), index, table_index,
                     (found - exact).abs().sum() / 2 / exact.sum());
-            CHECK(std::abs(found.sum() - gamma) < 0.1 * gamma + 0.3);
+            CHECK(table_gamma > 0);
+            CHECK(found.sum() == Approx(table_gamma).epsilon(1e-12));
+            CHECK(table_gamma * speed == Approx(wheel.heat).epsilon(2e-2));  // V of each point is not the vehicle's
+            CHECK(std::abs(table_gamma - gamma) < 0.1 * gamma + 0.3);
             CHECK(std::abs(table_index - index) < 0.03);
             CHECK(table_peak == Approx(peak).epsilon(0.04));
             by_patches += exact.sum();
@@ -124,6 +87,7 @@ TEST_CASE("Work and fatigue by table agree with patches at the same places", "[w
             misplaced += (found - exact).abs().sum() / 2;
             const double q = y_over_q(wheel, side), outwards = side == WheelsetSide::right ? -1 : 1;
             CHECK(q == Approx(outwards * forces.on_wheel[k].force[1] / -forces.on_wheel[k].force[2]).margin(0.02));
+            if (place.shift > 6e-3 && side == WheelsetSide::right) CHECK(q > 0.2);  // the flange presses outwards
         }
     }
     CAPTURE(by_patches, by_table, misplaced / by_patches);
@@ -131,15 +95,8 @@ TEST_CASE("Work and fatigue by table agree with patches at the same places", "[w
     CHECK(misplaced < 0.15 * by_patches);
 }
 
-TEST_CASE("A flange that presses outwards has Y/Q above 0 on either side", "[wear]") {
-    const Place right{6.5e-3, 5e-3, 0}, left{-6.5e-3, -5e-3, 0};
-    const double q = y_over_q(right.by_table(WheelsetSide::right), WheelsetSide::right);
-    CHECK(q > 0.2);
-    CHECK(y_over_q(left.by_table(WheelsetSide::left), WheelsetSide::left) == Approx(q));
-}
-
 TEST_CASE("Work is done where a point slips, at its place on the rail", "[wear]") {
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     for (const Place& place : places) {
         for (WheelForces::Point point : place.by_table(WheelsetSide::right).points) {
             if (!(point.load_share > 0)) continue;
@@ -149,7 +106,7 @@ TEST_CASE("Work is done where a point slips, at its place on the rail", "[wear]"
             // rigid slip vanishes at y = b and is largest at y = -b
             point.creepage = {5e-3, 0, 5e-3 / point.ellipse.half_width()};
             point.force = {-1e3, 0, 0};
-            const PatchForce turned = strip_work_of(point, creep(), mu);
+            const PatchForce turned = strip_work_of(point, steel(), mu);
             CHECK(turned.strip_work.head(5).sum() > turned.strip_work.tail(5).sum());
             CHECK(turned.edges[0] == Approx(-point.ellipse.half_width()));
         }
@@ -161,8 +118,8 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces forward = place.by_table(side);
             const WheelForces backwards =
-                contacts().look_up(creep(), side, detail::mirrored(place.position(), detail::Mirror::reversing_x()),
-                                   detail::mirrored(place.speeds(), detail::Mirror::reversing_x()), load, mu);
+                s1002_60e1().look_up(steel(), side, detail::mirrored(place.position(), detail::Mirror::reversing_x()),
+                                     detail::mirrored(place.speeds(), detail::Mirror::reversing_x()), load, mu);
             REQUIRE(backwards.status == Status::ok);
             for (std::size_t k = 0; k < forward.points.size(); ++k) {
                 const WheelForces::Point &one = forward.points[k], &image = backwards.points[k];
@@ -170,8 +127,8 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
                 CHECK(one.rolling_velocity == Approx(speed).epsilon(0.05));
                 CHECK(image.rolling_velocity == -one.rolling_velocity);
                 CHECK(one.heat == Approx(t_gamma(one) * one.rolling_velocity));
-                const Eigen::ArrayXd work = strip_work_of(one, creep(), mu).strip_work;
-                CHECK((strip_work_of(image, creep(), mu).strip_work - work).abs().maxCoeff() < 1e-12 * work.sum());
+                const Eigen::ArrayXd work = strip_work_of(one, steel(), mu).strip_work;
+                CHECK((strip_work_of(image, steel(), mu).strip_work - work).abs().maxCoeff() < 1e-12 * work.sum());
             }
         }
     }
@@ -179,16 +136,13 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
 
 WheelForces::Point loaded_point() {
     const WheelForces wheel = places[0].by_table(WheelsetSide::right);
-    return *std::max_element(wheel.points.begin(), wheel.points.end(),
-                             [](const WheelForces::Point& one, const WheelForces::Point& other) {
-                                 return one.load_share < other.load_share;
-                             });
+    return *std::ranges::max_element(wheel.points, {}, &WheelForces::Point::load_share);
 }
 
 TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     const WheelForces::Point point = loaded_point();
     const auto refused = [&](double coefficient, const SimplifiedTheory::Mesh& mesh) {
-        return refusal([&] { strip_work_of(point, creep(), coefficient, mesh); });
+        return refusal([&] { strip_work_of(point, steel(), coefficient, mesh); });
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(refused(-0.1, {}) == "strip_work_of: friction_coefficient = -0.1 must be finite and not negative");
@@ -202,17 +156,17 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
     }
     WheelForces::Point other = point;
     other.ellipse = PatchContact({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
-    CHECK(refusal([&] { strip_work_of(other, creep(), mu); }) ==
+    CHECK(refusal([&] { strip_work_of(other, steel(), mu); }) ==
           "creep_coefficients: poisson_ratio = 0.35 must be within 0.01 of the table's, 0.28");
 
     // nothing slips under a bound that is never reached: as the load
-    CHECK(strip_work_of(point, creep(), 1e300).strip_work.sum() == Approx(t_gamma(point)).epsilon(1e-12));
-    CHECK(strip_work_of(point, creep(), 0, {.strips = 3}).strip_work.size() == 3);
+    CHECK(strip_work_of(point, steel(), 1e300).strip_work.sum() == Approx(t_gamma(point)).epsilon(1e-12));
+    CHECK(strip_work_of(point, steel(), 0, {.strips = 3}).strip_work.size() == 3);
     for (const double coefficient : {0.0, mu}) {
         for (const Creepage& creepage : {Creepage{nan, 0, 0}, {0, 1e308, 0}}) {
             other = point;
             other.creepage = creepage;
-            const PatchForce found = strip_work_of(other, creep(), coefficient);
+            const PatchForce found = strip_work_of(other, steel(), coefficient);
             CHECK(found.status == Status::not_finite);
             CHECK(found.strip_work.size() == 0);
         }
@@ -220,9 +174,9 @@ TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
 }
 
 TEST_CASE("Wear over a profile takes work at any place, and none without result", "[wear]") {
-    const Profile& rail = track().wheel().rail();
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     ProfileWear wear(rail, 50);
-    PatchForce friction = strip_work_of(loaded_point(), creep(), mu);
+    PatchForce friction = strip_work_of(loaded_point(), steel(), mu);
     const double work = friction.strip_work.sum();
     REQUIRE(work > 0);
     for (const double s : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -254,7 +208,6 @@ TEST_CASE("Laws of wear", "[wear]") {
                                {100.0, 55.12 + 61.9 * 22.8}}) {
         CHECK(rate(law, x) == Approx(k).epsilon(1e-12).margin(1e-12));
     }
-    for (const double x : {10.4, 77.2}) CHECK(rate(law, x * (1 + 1e-9)) == Approx(rate(law, x)).epsilon(1e-6));
     for (const auto& [x, k] : {std::array{1.0, 10.0}, {2.5, 15.0}, {9.0, 30.0}, {0.0, 0.0}}) {
         CHECK(rate(table, x) == Approx(k).epsilon(1e-12).margin(1e-12));
     }
@@ -283,8 +236,8 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
     const Place& place = places[3];
     WheelsetRolling rolling{.position = place.position(), .loads = {load, load}, .speeds = place.speeds()};
     rolling.free_pitch = false;
-    const WheelsetForces forces = rolling_forces(track(), rolling, {.coefficient = mu}, workspace);
-    const Profile& rail = track().wheel().rail();
+    const WheelsetForces forces = rolling_forces(s1002_on_60e1(), rolling, {.coefficient = mu}, workspace);
+    const Profile& rail = s1002_on_60e1().wheel().rail();
     for (const ProfileWear::Law& law : {ProfileWear::Law::t_gamma(), ProfileWear::Law::archard_kth()}) {
         ProfileWear wear(rail, 700);
         double sum = 0;
@@ -321,27 +274,22 @@ TEST_CASE("Wear of patches is the law's sum over their elements", "[wear]") {
         const Eigen::ArrayXd area = spread(rail, 1e4 * means, 1e-3);
         CHECK((area * lengths_at_points(rail)).sum() == Approx(1e4 * sum).epsilon(1e-9));
         CHECK(area.minCoeff() >= 0);
-        const Profile after = worn_by_area(rail, area, Profile::Use::rail);
-        CHECK(area_between(rail, after, Profile::Use::rail) == Approx(1e4 * sum).epsilon(1e-6));
     }
     CHECK(wear_of({}, ProfileWear::Law::t_gamma(), speed).strip_work.size() == 0);
 }
 
 TEST_CASE("Work of a point without load or without slip", "[wear]") {
-    CHECK(strip_work_of({}, creep(), mu).status == Status::no_contact);
+    CHECK(strip_work_of({}, steel(), mu).status == Status::no_contact);
     WheelForces::Point point = loaded_point();
     point.creepage = {1e-9, 0, 0};
     point.force = {-1, 0, 0};
-    const PatchForce still = strip_work_of(point, creep(), mu, {.strips = 8, .elements = 8});
+    const PatchForce still = strip_work_of(point, steel(), mu, {.strips = 8, .elements = 8});
     CHECK(still.strip_work.sum() == Approx(1e-9));
     CHECK(still.strip_work.minCoeff() > 0);
     CHECK((still.strip_work - still.strip_work.reverse()).abs().maxCoeff() < 1e-22);
-    CHECK(std::isnan(arc_length(track().wheel().rail(), [&] {
-        WheelForces::Point beside = point;
-        beside.rail_y = 1;
-        return beside;
-    }())));
-    const auto kalker = creep_coefficients(creep(), PatchContact({6e-3, 6e-3, 8e10, 0.28}));
+    point.rail_y = 1;
+    CHECK(std::isnan(arc_length(s1002_on_60e1().wheel().rail(), point)));
+    const auto kalker = creep_coefficients(steel(), PatchContact({6e-3, 6e-3, 8e10, 0.28}));
     CHECK(kalker.c11 == Approx(4.2262).epsilon(5e-3));  // on a circle
     CHECK(kalker.c22 == Approx(3.7049).epsilon(5e-3));
     CHECK(kalker.c23 == Approx(1.4881).epsilon(2e-2));
