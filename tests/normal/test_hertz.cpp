@@ -52,21 +52,10 @@ TEST_CASE("Hertz's line contact has the exact half-length, pressures and elastic
         CHECK(unit.peak_pressure() == Approx(peak).epsilon(1e-15));
     }
     CHECK_THROWS_AS(HertzLine::dimensionless(0), std::invalid_argument);
-    // a soft body on a hard one: half the compliance of the soft one, and its Poisson's ratio
-    const HertzLine soft({.load_per_width = 1e3,
-                          .combined_radius = 0.1,
-                          .body_1 = {.young_modulus = 1e6, .poisson_ratio = 0.4},
-                          .body_2 = {.young_modulus = 1e18, .poisson_ratio = 0.1}});
-    CHECK(soft.contact(1).shear_modulus() == Approx(2 * 1e6 / 2.8).epsilon(1e-10));
-    CHECK(soft.contact(1).poisson_ratio() == Approx(0.4).epsilon(1e-10));
     CHECK(hertz.peak_pressure() ==
           Approx(contact.shear_modulus() / 0.72 * hertz.half_length() / 2 / 0.46).epsilon(1e-13));
-    for (const Mesh<double>& mesh :
-         {uniform_mesh<double>(1), cosine_mesh<double>(2000), geometric_mesh<double>(30, 1e6)}) {
-        const ArrayX<double> mean = hertz.mean_pressure(mesh);
-        CHECK(hertz.half_length() * (mesh.widths() * mean).sum() == Approx(1e6).epsilon(1e-13));
-        CHECK(mean.maxCoeff() <= hertz.peak_pressure());
-    }
+    for (const Mesh<double>& mesh : {cosine_mesh<double>(2000), geometric_mesh<double>(30, 1e6)})
+        CHECK(hertz.half_length() * (mesh.widths() * hertz.mean_pressure(mesh)).sum() == Approx(1e6).epsilon(1e-13));
     // the first element of a fine mesh: the mean of sqrt(2 t) (1 - t/4 ...) over its width w
     const Mesh<double> fine = cosine_mesh<double>(100000);
     const double w = fine.widths()[0];
@@ -96,6 +85,7 @@ TEST_CASE("Hertz's contact combines bodies with extreme Poisson's ratios", "[her
     const HertzLine hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
     // 1/E* = (0.75 + 1)/E
     CHECK(hertz.half_length() == Approx(std::sqrt(4e2 / std::numbers::pi * 1.75e-6)).epsilon(1e-14));
+    CHECK(hertz.contact(1).shear_modulus() == Approx(1e6 / 2.5).epsilon(1e-14));
     CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
 }
 
