@@ -221,13 +221,11 @@ TEST_CASE("contact_search: the back of a flange at a guard rail with a vertical 
     CHECK(least_gap(wheel, RailPoints(wheel), at, contact) > -1e-6);
 }
 
-TEST_CASE("contact_search: a cylinder on a plane, a crown on a roller: Hertz with both curvatures along x",
-          "[profiles]") {
+TEST_CASE("contact_search: a cylinder on a crowned roller: Hertz with both curvatures along x", "[profiles]") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const ElasticBody steel{2 * above.shear_modulus * 1.28, 0.28};
-    for (const double radius : {0.3, 1.0, infinite}) {
-        const auto contact =
-            under(1e5, cylinder(), radius < infinite ? RailSurface::roller(arc(), radius) : RailSurface(arc()));
+    for (const double radius : {0.3, 1.0}) {
+        const auto contact = under(1e5, cylinder(), RailSurface::roller(arc(), radius));
         CAPTURE(radius);
         REQUIRE(contact.status == Status::ok);
         REQUIRE(contact.patches.size() == 1);
@@ -574,13 +572,6 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
         found.push_back(contact);
     }
     for (const std::size_t k : {0, 1, 2}) CHECK(found[2].patches[k].y == Approx(found[1].patches[k].y).margin(1e-4));
-}
-
-TEST_CASE("contact_search: one contact round a gauge corner stays one where depths hardly fall between two maxima",
-          "[profiles]") {
-    WheelOnRail::Workspace workspace;
-    const WheelsetPosition at{.lateral = 6.17e-3, .roll = -0.9e-3, .yaw = -22e-3};
-    CHECK(s1002_on_uic60().solve_for_load(at, 3.6e5, workspace).patches.size() == 1);
 }
 
 TEST_CASE("contact_search: a contact that another one lifts is none", "[profiles]") {
