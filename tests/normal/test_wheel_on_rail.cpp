@@ -487,8 +487,7 @@ TEST_CASE("wheelset_forces: a wheel without contact does not stop the other", "[
                                   .loads = {1e5, 8e4},
                                   .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 2}};
-    const auto derailed =
-        rolling_forces(narrow, rolling, {.coefficient = 0.3, .elements = 6, .strips = 7}, workspace);
+    const auto derailed = rolling_forces(narrow, rolling, {.coefficient = 0.3, .elements = 6, .strips = 7}, workspace);
     CHECK(!has_numbers(derailed.contacts.wheels[0].status));
     CHECK(derailed.patches[0].empty());
     REQUIRE(has_numbers(derailed.contacts.wheels[1].status));
