@@ -30,22 +30,13 @@ Eigen::ArrayXd parabola(double R, double half, Eigen::Index n, double s_0 = 0, d
     return depth - s * s / (2 * R);
 }
 
-/// A piece z(y) over |y| <= half.
-template <class Height>
-Profile piece(double half, const Height& height) {
-    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(801, -half, half);
-    return {y, height(y), Profile::Use::piece};
-}
-/// An arc about a centre R below its top at y = 0.
-Profile arc(double R) {
-    return piece(0.03, [=](const Eigen::ArrayXd& y) -> Eigen::ArrayXd { return R - (R * R - y.square()).sqrt(); });
-}
-/// A cone of this half angle [rad], on the arc at y = 0.75.
+/// A cone of this half angle [rad], on an arc at y = 0.75 about a centre R below its top.
 WheelOnRail on_crown(double angle, double R) {
     WheelOnRail::Dimensions dimensions{.radius = along};
     dimensions.rail_origin = WheelOnRail::Dimensions::Origin{0.75, 0};
-    return {piece(0.06, [=](const Eigen::ArrayXd& y) -> Eigen::ArrayXd { return -std::tan(angle) * y; }), arc(R),
-            dimensions};
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(801, -0.03, 0.03);
+    return {Profile(2 * y, -2 * std::tan(angle) * y, Profile::Use::piece),
+            Profile(y, R - (R * R - y.square()).sqrt(), Profile::Use::piece), dimensions};
 }
 
 TEST_CASE("virtual_penetration: ellipses displace their middle by the approach, circles by the root of 1.1 too wide",
