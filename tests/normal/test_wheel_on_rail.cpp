@@ -390,8 +390,6 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
     const RollingFriction friction{.coefficient = 0.3, .elements = 8, .strips = 9, .curved_slip = false};
     const auto free = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(free.contacts.status == Status::ok);
-    CHECK(free.patches[0][0].creepage.longitudinal + free.patches[1][0].creepage.longitudinal ==
-          Approx(0).margin(1e-14));
     for (std::size_t k = 0; k < 2; ++k)
         CHECK(free.patches[k][0].creepage.longitudinal * free.patches[k][0].force.longitudinal < 0);
     CHECK(free.on_wheel[0].force[1] + free.on_wheel[1].force[1] == Approx(free.on_wheelset.force[1]));
