@@ -79,33 +79,43 @@ inline ForceElement ellipse_along_rolling() {
             .symmetries = {{"the other turn", "++-", "++"}}};
 }
 
-/// Semi-axes and pressures of a mesh by the load, which the mesh follows, or which lies on the largest contact.
-inline ForceElement hertz_load(bool breathes) {
-    using namespace hertz_detail;
-    static const HertzLine line(
-        {.load_per_width = 1e6, .combined_radius = R, .body_1 = {E, 0.28}, .body_2 = {E, 0.28}});
-    const Mesh<double> mesh = cosine_mesh(13);
-    const auto hertz = std::make_shared<const HertzLine::Load>(
-        breathes ? HertzLine::Load::breathing(line, mesh)
-                 : HertzLine::Load::fixed(line, mesh, 1.25 * line.half_length()));
-    const auto load = std::make_shared<NormalLoad>(hertz->at(1e6));
-    return {.name = "Hertz's load on a line",
-            .inputs = {{1e6}},
-            .values = std::vector<Quantity>(14, {1e9}),
-            .draw = [](Draw& draw) { return Numbers(Numbers::Constant(1, draw.uniform(2e5, 1.4e6))); },
+/// Semi-axes, of about `axis`, and pressures of a mesh by the load, from `least` to 1.4 times N; `beyond` N is refused.
+template <class Load>
+ForceElement hertz_load_on(const char* name, const Load& mesh, double axis, double N, double least, double beyond) {
+    const auto hertz = std::make_shared<const Load>(mesh);
+    const auto load = std::make_shared<NormalLoad>(hertz->at(N));
+    const Eigen::Index n = load->normal_pressure.size();
+    return {.name = name,
+            .inputs = {{N}},
+            .values = std::vector<Quantity>(static_cast<std::size_t>(n + 2), {1e9}),
+            .draw = [=](Draw& draw) { return Numbers(Numbers::Constant(1, N * draw.uniform(least, 1.4))); },
             .answer =
-                [hertz, load](const Numbers& x) {
-                    Answer answer{Numbers(14), Tangent(14, 1), hertz->set(x[0], *load)};
-                    answer.values << 1e9 / line.half_length() * load->half_length, load->normal_pressure.matrix();
-                    answer.tangent << 1e9 / line.half_length() * hertz->half_length_rate(x[0]),
+                [=](const Numbers& x) {
+                    Answer answer{Numbers(n + 2), Tangent(n + 2, 1), hertz->set(x[0], *load)};
+                    double width_rate = 0;
+                    if constexpr (requires { hertz->half_width_rate(N); }) width_rate = hertz->half_width_rate(x[0]);
+                    answer.values << 1e9 / axis * load->half_length, 1e9 / axis * load->half_width,
+                        load->normal_pressure.matrix();
+                    answer.tangent << 1e9 / axis * hertz->half_length_rate(x[0]), 1e9 / axis * width_rate,
                         load->pressure_rate.matrix();
                     if (answer.status == Status::ok) return answer;
-                    answer.keeps_target = load->check(13) == Status::invalid_load;  // the load itself stays invalid
+                    answer.keeps_target = load->check(n) == Status::invalid_load;  // the load itself stays invalid
                     answer.values.setConstant(nan);
                     answer.tangent.setConstant(nan);
                     return answer;
                 },
-            .refusals = {{0, {-1, -1e-300, nan, infinite, -infinite, breathes ? 0 : 1.6e6}, Status::invalid_load}}};
+            .refusals = {{0, {-1, -1e-300, nan, infinite, -infinite, beyond * N}, Status::invalid_load}}};
+}
+
+/// Of a line, whose mesh follows the load, or lies on the largest contact.
+inline ForceElement hertz_load(bool breathes) {
+    using namespace hertz_detail;
+    const HertzLine line({.load_per_width = 1e6, .combined_radius = R, .body_1 = {E, 0.28}, .body_2 = {E, 0.28}});
+    const Mesh<double> mesh = cosine_mesh(13);
+    return hertz_load_on("Hertz's load on a line",
+                         breathes ? HertzLine::Load::breathing(line, mesh)
+                                  : HertzLine::Load::fixed(line, mesh, 1.25 * line.half_length()),
+                         line.half_length(), 1e6, 0.2, breathes ? 0 : 1.6);
 }
 
 /// The same of a patch of 6 x 5 elements.
@@ -113,29 +123,10 @@ inline ForceElement hertz_patch_load(bool breathes) {
     using namespace hertz_detail;
     const HertzEllipse largest = ellipse_under(1.5 * N);
     const PatchMesh<double> mesh = patch_mesh(largest.contact(), 6, 5);
-    const auto hertz = std::make_shared<const HertzEllipse::Load>(
-        breathes ? HertzEllipse::Load::breathing(largest, largest.contact(), mesh)
-                 : HertzEllipse::Load::fixed(largest, largest.contact(), mesh));
-    const auto load = std::make_shared<NormalLoad>(hertz->at(N));
-    const Eigen::Index n = mesh.size();
-    return {.name = "Hertz's load on a patch",
-            .inputs = {{N}},
-            .values = std::vector<Quantity>(static_cast<std::size_t>(n + 2), {1e9}),
-            .draw = [](Draw& draw) { return Numbers(Numbers::Constant(1, N * draw.uniform(0.8, 1.4))); },
-            .answer =
-                [hertz, load, n](const Numbers& x) {
-                    Answer answer{Numbers(n + 2), Tangent(n + 2, 1), hertz->set(x[0], *load)};
-                    answer.values << 1e9 / a * load->half_length, 1e9 / a * load->half_width,
-                        load->normal_pressure.matrix();
-                    answer.tangent << 1e9 / a * hertz->half_length_rate(x[0]), 1e9 / a * hertz->half_width_rate(x[0]),
-                        load->pressure_rate.matrix();
-                    if (answer.status == Status::ok) return answer;
-                    answer.keeps_target = load->check(n) == Status::invalid_load;
-                    answer.values.setConstant(nan);
-                    answer.tangent.setConstant(nan);
-                    return answer;
-                },
-            .refusals = {{0, {-1, nan, infinite, -infinite, breathes ? 0 : 1.6 * N}, Status::invalid_load}}};
+    return hertz_load_on("Hertz's load on a patch",
+                         breathes ? HertzEllipse::Load::breathing(largest, largest.contact(), mesh)
+                                  : HertzEllipse::Load::fixed(largest, largest.contact(), mesh),
+                         a, N, 0.8, breathes ? 0 : 1.6);
 }
 
 }  // namespace laws

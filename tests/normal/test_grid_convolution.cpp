@@ -26,7 +26,7 @@ Grid random_grid(Eigen::Index nx, Eigen::Index ny) {
 TEST_CASE("grid_convolution: transforms are the sums that define them", "[contact]") {
     detail::BatchTransform transform;
     // every factor alone, several of each, and counts that are no multiples of the numbers computed at a time
-    for (const std::ptrdiff_t length : {1, 2, 3, 4, 5, 8, 15, 16, 60, 90}) {
+    for (const std::ptrdiff_t length : {1, 2, 3, 4, 5, 8, 15, 16, 60, 75, 90}) {
         transform.prepare(length);
         for (const std::ptrdiff_t count : {1, 4, 7}) {
             const Grid re = random_grid(count, length), im = 1 - 2 * re.square();

@@ -58,22 +58,6 @@ TEST_CASE("Elliptic integrals are GSL's, and keep their digits for circles", "[h
     CHECK(relative(needle.B, 1) < 1e-12);
 }
 
-// theta [degrees], m, n of Hertz (1881) and Whittemore & Petrenko (1921), as in Timoshenko & Goodier, section 140: the
-// semi-axes are m and n times (3 N/(4 E* (A + B)))^(1/3), where cos theta = (B - A)/(B + A).
-TEST_CASE("Ellipses agree with Hertz's table", "[hertz]") {
-    const double table[][3] = {{30, 2.731, 0.493}, {40, 2.136, 0.567}, {50, 1.754, 0.641}, {60, 1.486, 0.717},
-                               {70, 1.284, 0.802}, {80, 1.128, 0.893}, {90, 1, 1}};
-    for (const auto& [degrees, m, n] : table) {
-        const double cosine = degrees == 90 ? 0 : std::cos(degrees * pi / 180), sum = 3.0;
-        const HertzEllipse ellipse = crossed(1 / (sum * (1 + cosine)), 1 / (sum * (1 - cosine)));
-        const double compliance = (1 - 0.28 * 0.28) / steel.young_modulus + (1 - 0.49 * 0.49) / rubber.young_modulus;
-        const double unit = std::cbrt(3 * 1e5 * compliance / (4 * sum));
-        CAPTURE(degrees);
-        CHECK(std::abs(ellipse.half_width() / unit - m) < 3e-3);
-        CHECK(std::abs(ellipse.half_length() / unit - n) < 3e-3);
-    }
-}
-
 TEST_CASE("The surfaces touch within the ellipse: both curvatures of the gap are met", "[hertz]") {
     // under Hertz's pressure the displacement at the centre and at the ends of both axes, by quadrature of another
     // kind: the potential of the ellipsoid, (3 N/(4 pi E*)) int (1 - x^2/(a^2+w) - y^2/(b^2+w)) dw/sqrt((a^2+w)(b^2+w)
@@ -127,17 +111,10 @@ TEST_CASE("Equal radii give the circle, and long ellipses the line contact", "[h
     }
 }
 
-TEST_CASE("The load is the derivative of the elastic energy by the approach", "[hertz]") {
-    const HertzEllipse ellipse(wheel_on_rail());
-    // N = c approach^(3/2): the energy 2/5 N approach
-    const double h = 1e-4 * 1e5;
-    const HertzEllipse more = ellipse.under(1e5 + h), less = ellipse.under(1e5 - h);
-    const double by_approach =
-        0.4 * (more.load() * more.approach() - less.load() * less.approach()) / (more.approach() - less.approach());
-    CHECK(relative(by_approach, 1e5) < 1e-8);
+TEST_CASE("An ellipse under another load is the one made with it", "[hertz]") {
     HertzEllipse::Parameters parameters = wheel_on_rail();
     parameters.load = 3e4;
-    const HertzEllipse direct(parameters), scaled = ellipse.under(3e4);
+    const HertzEllipse direct(parameters), scaled = HertzEllipse(wheel_on_rail()).under(3e4);
     CHECK(relative(direct.half_length(), scaled.half_length()) < 1e-14);
     CHECK(relative(direct.approach(), scaled.approach()) < 1e-14);
     CHECK(relative(direct.peak_pressure(), scaled.peak_pressure()) < 1e-14);

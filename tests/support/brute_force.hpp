@@ -301,12 +301,7 @@ inline std::vector<NamedScheme> every_scheme() {
             {"nodes centres", rollbem::NodeDifference{}}};
 }
 
-struct NamedKernel {
-    std::string name;
-    Kernel kernel;
-};
-
-inline std::vector<NamedKernel> every_kernel() {
+inline std::vector<std::pair<std::string, Kernel>> every_kernel() {
     return {{"plane 1024", {true, 1024, 0.75L, 0.25L}}, {"strip 1024", {false, 1024, 0.75L, 0.25L}},
             {"strip 10", {false, 10, 0.75L, 0.25L}},    {"strip 4", {false, 4, 0.75L, 0.25L}},
             {"strip 1", {false, 1, 0.75L, 0.25L}},      {"strip 1/64", {false, 0.015625L, 0.75L, 0.25L}},
