@@ -37,6 +37,11 @@ TEST_CASE("Extrapolation cancels exactly the power of n that it is given", "[ric
         CHECK(result.value == richardson(value(16), value(32), order));
         CHECK(std::abs(result.observed_order - order) < 0.1);
         CHECK(std::abs(result.value - 2) < result.error_estimate);
+        const Complex unit(0.6, 0.8);
+        const auto wave = extrapolate([&](std::ptrdiff_t n) { return unit * value(static_cast<double>(n)); }, 8, order);
+        CHECK(wave.status == Status::ok);
+        CHECK(std::abs(wave.value - unit * result.value) < 1e-14);
+        CHECK(wave.error_estimate == Approx(result.error_estimate));
     }
     const Complex coarse(1, 2), fine(2, 4);
     CHECK(std::abs(richardson(coarse, fine, 1.0) - Complex(3, 6)) < 1e-15);

@@ -399,14 +399,19 @@ TEST_CASE("patch_steady: frequency response") {
     }
 }
 
-TEST_CASE("patch_steady: the halves of a mirrored patch decay as the whole") {
+TEST_CASE("patch_steady: the halves of a mirrored patch decay and respond as the whole") {
     const PatchMesh<double> mesh = patch_mesh(PatchContact::dimensionless(2, 0.3), 8, 6);
     const HalfSpace<double> kernel(0.3);
-    const StabilityVerdict halves = judge_stability(patch_subsystems(mesh, chebyshev, kernel));
+    const auto parts = patch_subsystems(mesh, chebyshev, kernel);
+    const StabilityVerdict halves = judge_stability(parts);
     CHECK(halves.n == 96);
     CHECK(halves.stable());
-    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, kernel).joined());
-    CHECK_THAT(halves.spectral_abscissa, WithinRel(whole.spectral_abscissa, 1e-9));
+    const RollingSystem<double> joined = rolling_system(mesh, chebyshev, kernel).joined();
+    CHECK_THAT(halves.spectral_abscissa, WithinRel(judge_stability(joined).spectral_abscissa, 1e-9));
+    const FrequencySweep sweep(parts);
+    const auto apart = [](const auto& one, const auto& other) { return (one - other).cwiseAbs().maxCoeff(); };
+    CHECK(apart(sweep(0).coefficients, solve_steady(joined).coefficients.cast<std::complex<double>>()) < 1e-11);
+    CHECK(apart(sweep(-1).coefficients, sweep(1).coefficients.conjugate()) < 1e-12);
 }
 
 TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalues are uncertain") {

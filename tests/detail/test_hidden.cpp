@@ -87,14 +87,17 @@ TEST_CASE("hidden: owners of a type that is not known yet can be copied and move
 }
 
 TEST_CASE("hidden: an owner may be given its object", "[hidden]") {
-    detail::Hidden<Counted> empty, owner{Counted()};
-    CHECK(empty.find() == nullptr);
-    REQUIRE(owner.find() != nullptr);
-    CHECK(Counted::alive == 1);
-    owner.find()->value = 4;
-    const detail::Hidden<Counted> copy = owner, moved = std::move(owner);
-    CHECK(copy.get().value == 4);
-    CHECK(moved.get().value == 4);
-    CHECK(copy.find() != moved.find());
-    CHECK(owner.find() == nullptr);  // NOLINT
+    {
+        detail::Hidden<Counted> empty, owner{Counted()};
+        CHECK(empty.find() == nullptr);
+        REQUIRE(owner.find() != nullptr);
+        CHECK(Counted::alive == 1);
+        owner.find()->value = 4;
+        const detail::Hidden<Counted> copy = owner, moved = std::move(owner);
+        CHECK(copy.get().value == 4);
+        CHECK(moved.get().value == 4);
+        CHECK(copy.find() != moved.find());
+        CHECK(owner.find() == nullptr);  // NOLINT(bugprone-use-after-move)
+    }
+    CHECK(Counted::alive == 0);
 }

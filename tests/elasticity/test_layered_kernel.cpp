@@ -178,6 +178,8 @@ TEST_CASE("Layers reject analytic derivatives and states", "[layer]") {
     CHECK(refusal([&] { rolling_system(mesh, KnotheBoundary{Derivative::analytic}, layered); }) == why);
     CHECK(refusal([&] { rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic, 1, 7}, layered); }) == why);
     CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
+    const LayeredKernel narrow(PlaneKernel<double>(0.1, 0.75, 0.25), 0.5);  // outside the plane model
+    CHECK(refusal([&] { rolling_system(mesh, Collocation{}, narrow); }).find("Lambda") != std::string::npos);
     CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
     CHECK(rolling_system(mesh, Collocation{}, plane).log_strength().has_value());
     CHECK_FALSE(rolling_system(mesh, Collocation{}, layered).log_strength().has_value());  // it cannot breathe

@@ -39,7 +39,7 @@ Step varied(Ride& ride, const Setup& setup, int k, double degrees, double turnin
     }
 }
 
-/// Forces, tractions, slip, heat and energy of 60 steps are those of another setup, turned by `turned` degrees as the
+/// Forces, tractions, slip, heat, energy and, unless turned, tangents along the creepages of 60 steps are those of another setup, turned by `turned` degrees as the
 /// creepages are, which lie at `degrees` and turn by `turning` from step to step.
 void agree(const Setup& setup, const Setup& other, double tolerance, double degrees, double turning,
            double turned = 0) {
@@ -58,6 +58,15 @@ void agree(const Setup& setup, const Setup& other, double tolerance, double degr
         REQUIRE(of.status == Status::ok);
         mixed += step.stick_count > 0 && step.stick_count < ride.model.size() ? 1 : 0;
         CHECK(step.stick_count == of.stick_count);
+        if (turned == 0) {
+            const Eigen::Index own = setup.across ? 1 : 0;
+            CHECK(matrix(step.tangent)(own, own) == Approx(matrix(of.tangent)(own, own)).epsilon(1e-6));
+            for (const auto by : {&Step::tangent_by_load, &Step::tangent_by_half_length}) {
+                const double expected_rate = vector(of.*by)[own], rate = vector(step.*by)[own];
+                CHECK((detail::is_nan(expected_rate) ? detail::is_nan(rate)
+                                                     : rate == Approx(expected_rate).epsilon(1e-6).margin(1e-9)));
+            }
+        }
         CHECK((ratios(step) - turn * ratios(of)).norm() < tolerance);
         CHECK(apart(ride.now.traction, expected.now.traction) < tolerance * peak_pressure);
         CHECK(apart(ride.own.slip(), expected.own.slip()) < tolerance * sliding);
@@ -118,6 +127,7 @@ TEST_CASE("A steady solution stays in time, and its slip and heat are those of t
                            steady = ride.steady(creeps);
                 REQUIRE(steady.status == Status::ok);
                 CHECK((ratios(alone) - ratios(steady)).norm() < 1e-11);
+                CHECK(alone.slip_work == Approx(steady.slip_work).epsilon(1e-9));
                 const ElementVectors slip = ride.own.slip(), traction = ride.now.traction;
                 const VectorX<double> heat = ride.own.slip_work();
                 const double way = 0.07 * a;
@@ -127,6 +137,9 @@ TEST_CASE("A steady solution stays in time, and its slip and heat are those of t
                 CHECK((ride.own.slip() - way * slip).cwiseAbs().maxCoeff() < 1e-9 * way * sliding);
                 CHECK((ride.own.slip_work() - way * heat).cwiseAbs().maxCoeff() < 1e-9 * way * heat.maxCoeff());
                 CHECK(step.slip_work == Approx(way * steady.slip_work).epsilon(1e-9));
+                if (setup.directions == 2 && turned) {
+                    CHECK(std::abs(step.force.moment - steady.force.moment) < 1e-9 * full_force * a);
+                }
             }
         }
     }

@@ -93,13 +93,15 @@ TEST_CASE("A memory needs the points of the equations", "[friction]") {
     const Setup setup;
     const ElementSystem<double> system = setup.system(false);
     const ElementSystem<double> pointless(system.G(), system.G_prime(), system.weights());
-    const auto with_memory = [&](double distance) {
-        FrictionModel(setup.contact(), pointless, unchecked, {law, setup.pressure(), {distance, least_velocity}});
+    const auto with_memory = [&](const auto& of, double distance) {
+        FrictionModel(setup.contact(), of, unchecked, {law, setup.pressure(), {distance, least_velocity}});
     };
-    CHECK_THROWS_WITH(with_memory(1e-6),
-                      "FrictionModel: distance of the memory = 1e-06 must be 0 for a system that does not know the "
-                      "points of its equations");
-    CHECK_NOTHROW(with_memory(0));
+    const std::string why =
+        "FrictionModel: distance of the memory = 1e-06 must be 0 for a system that does not know the points of its "
+        "equations";
+    CHECK_THROWS_WITH(with_memory(pointless, 1e-6), why);
+    CHECK_THROWS_WITH(with_memory(ElementSystem<double, 2>(pointless, setup.system(true)), 1e-6), why);
+    CHECK_NOTHROW(with_memory(pointless, 0));
 }
 
 TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {

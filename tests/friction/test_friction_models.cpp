@@ -44,10 +44,11 @@ TEST_CASE("A model without G refuses to roll in time", "[friction]") {
         Run run(steady);
         const Travel travel = Travel::at_speed(speed);
         REQUIRE(run.steady({travel, creepage(0.5, 37)}).status == Status::ok);
-        const State now = run.now();
+        const State now = run.now(), before = run.next();
         for (const Motion& motion : {Motion(creepage(0.5)), shift(0.5)}) {
             CHECK(run.advance({Ride::travel(motion.is_shift() ? 0 : 0.1), motion}).status == Status::invalid_step);
         }
+        CHECK(same(run.next(), before));
         CHECK(std::isnan(steady.elastic_energy(now)));
         // under other pressures, but not on another half-length
         Load half{now.normal_pressure / 2, a, {}};

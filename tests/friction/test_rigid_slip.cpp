@@ -75,7 +75,7 @@ TEST_CASE("Slip by rows equals slip by creepages", "[friction]") {
     }
 }
 
-/// A line whose slip is not turned, with equal kernels in both directions, and slip that nothing but rows can vary so.
+/// A line with equal kernels in both directions, whose slip is not turned; and slip that only rows can vary along it.
 const any_model::Setup line{
     .directions = 2, .integrator = Integrator::implicit_euler, .mesh = cosine_mesh<double>(24), .nu = 0};
 Vectors bent_rows() {

@@ -23,7 +23,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 using drawn_scenes::from_environment;
 
-/// A scene, which the seed and its number reproduce.
+/// A scene, which the seed and its number reproduce in the same test case.
 struct Scene {
     Mesh<double> mesh;
     AnyScheme scheme;

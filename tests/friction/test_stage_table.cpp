@@ -1,4 +1,4 @@
-// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme.
+// rollbem/rolling/run.hpp: a row of the table of stages is all of a scheme, with friction.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
 
