@@ -73,6 +73,13 @@ void agree(const Setup& setup, const Setup& other, double tolerance, double degr
         CHECK(step.slip_work == Approx(of.slip_work).epsilon(10 * tolerance).margin(1e-12));
         CHECK(ride.model.elastic_energy(ride.now) ==
               Approx(expected.model.elastic_energy(expected.now)).epsilon(tolerance).margin(1e-9));
+        if (setup.directions == other.directions) continue;
+        const Eigen::Index own = other.across ? 1 : 0;  // of tangents in one direction
+        const auto same_tangent = [&](double one, double two) { CHECK(one == Approx(two).epsilon(1e-6).margin(1e-9)); };
+        same_tangent(matrix(step.tangent)(own, own), matrix(of.tangent)(own, own));
+        if (k % 6 != 2 && k % 6 != 5) continue;
+        same_tangent(vector(step.tangent_by_load)[own], vector(of.tangent_by_load)[own]);
+        same_tangent(vector(step.tangent_by_half_length)[own], vector(of.tangent_by_half_length)[own]);
     }
     CHECK(mixed > 20);
 }

@@ -47,6 +47,7 @@ TEST_CASE("A model without G refuses to roll in time", "[friction]") {
         const State now = run.now(), before = run.next();
         for (const Motion& motion : {Motion(creepage(0.5)), shift(0.5)}) {
             CHECK(run.advance({Ride::travel(motion.is_shift() ? 0 : 0.1), motion}).status == Status::invalid_step);
+            CHECK(run.next().traction.isZero(0));
         }
         CHECK(same(run.next(), before));
         CHECK(std::isnan(steady.elastic_energy(now)));

@@ -147,7 +147,7 @@ TEST_CASE("Contacts of one system may share a workspace", "[friction]") {
         const FrictionModel& model = models[which];
         FrictionModel::Workspace own = model.workspace();
         FrictionState one = now[which], other = now[which];
-        const NormalLoad load{now[which].normal_pressure, k % 2 == 0 ? 5e-3 : 6e-3, {}};
+        const NormalLoad load{now[which].normal_pressure, (k + 1) / 2 % 2 == 0 ? 5e-3 : 6e-3, {}};
         const FrictionModel::RollingStep step{.motion = Creepage{1e-3, 1e-3}, .load = load};
         const FrictionStep a = model.steady(now[which], step, one, shared),
                            b = model.steady(now[which], step, other, own);

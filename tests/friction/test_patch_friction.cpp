@@ -289,10 +289,11 @@ TEST_CASE("patch_friction: limits of the creepages") {
     CHECK(alone.slip_work > 0);
 }
 
-TEST_CASE("patch_friction: a patch of another shape is another one") {
+TEST_CASE("patch_friction: a patch of another shape is another one, and none has pressures without a load") {
     const Scene scene(6e-3, 4e-3, 4, 4), other(4e-3, 6e-3, 4, 4);
     CHECK_THROWS_WITH(FrictionModel(scene.contact, steady_system(other.mesh, chebyshev, scene.kernel), scene.friction),
                       ContainsSubstring("a/b of the patch over a/b of its system"));
+    CHECK_THROWS_WITH(hertz_pressures(scene.contact, scene.mesh, 0), ContainsSubstring("load"));
     const auto system = rolling_system(scene.mesh, chebyshev, scene.kernel);
     const FrictionModel model(scene.contact, system,
                               judge_stability(patch_subsystems(scene.mesh, chebyshev, scene.kernel)), scene.friction);

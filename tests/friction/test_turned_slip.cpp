@@ -111,6 +111,8 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
     CHECK(std::abs(-step.force.moment / (full_force * scene.contact.width()) - 4 / (3 * std::numbers::pi)) < 1e-3);
     // slip reverses at the middle, the point of a row: its element, with 2/n of the load, slides either way
     CHECK(std::abs(ratios(step, scene.contact)[1]) < 4.01 / 80);
+    const Step across = from_scratch(scene.steady(), {0, 1});
+    CHECK(std::abs(across.force.moment) < 1e-12 * full_force * scene.contact.width());
     const Scene one(uniform_mesh<double>(1));
     const Step single = from_scratch(one.steady(), {1e-2, 0, 1e-2});
     CHECK(single.status == Status::ok);

@@ -1,6 +1,5 @@
 // rollbem/normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
