@@ -129,6 +129,8 @@ for arguments in '--n 10' '--n 10,20,30,40,50,60,70,80 --alpha-T 0.5,0.6,0.63'; 
     full 0 sh -c "ulimit -f 1; $steady $arguments --output full.csv"
     [ "$(cat full.csv)" = old ] && [ "$(ls -d full.*)" = full.csv ] || fail "a full disk leaves $(ls -d full.*)"
 done
+full 0 sh -c "ulimit -f 1; $programs/friction_study --n 20 --creepage-ratio 0.5 --output /dev/null --tractions full.csv"
+[ "$(cat full.csv)" = old ] || fail 'a full disk cuts the tractions'
 ln -s /dev/full full.csv.toml
 full 0 "$steady" --n 10 --output full.csv
 [ "$(cat full.csv)" = old ] && [ -h full.csv.toml ] || fail "a companion that cannot be written"

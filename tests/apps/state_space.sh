@@ -47,8 +47,11 @@ distances reduced | awk -v bound="$(value error_bound)" -v left="$(value largest
     { good += NR == 1 ? $1 < 1e-13 : $1 <= bound && $1 > bound / 1000 }
     END { exit !(good == 3 && left > 0 && bound >= 2 * left && bound < 0.5) }' || fail "reduced: $(distances reduced)"
 
-# a table that cannot be written, no gnuplot
+# each file whole: a full disk, a table that cannot be written, no gnuplot
 f="$f --method chebyshev --n 8"
+echo old >there/A.csv
+(ulimit -f 1 && $f --state-space there >out 2>err)
+[ $? -eq 4 ] && [ "$(wc -l <err)" -eq 1 ] && [ "$(cat there/A.csv)" = old ] || fail "a full disk: $(cat err)"
 $f --state-space full/below >/dev/full 2>err
 [ $? -eq 4 ] && [ ! -e full ] || fail 'files in spite of an error'
 [ -z "$(find . -name '*.part')" ] || fail "temporary files are left: $(find . -name '*.part')"

@@ -65,7 +65,7 @@ inline ForceElement rolling_wheelset(bool curved = false) {
     ForceElement result{
         .name = "a rolling wheelset",
         .inputs = {{1e-4}, {1e-3}, {V}, {0.02}, {0.02}, {0.02}, {0.02}, {Q}, {Q}, {0.3}},
-        .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {40}, {1e-3 * Q}},
+        .values = {{Q}, {Q}, {Q}, {Q}, {Q}, {Q}, {1e-2}, {1e-3 * Q}},
         .draw =
             [](Draw& draw) {
                 Numbers x(10);

@@ -523,6 +523,8 @@ TEST_CASE("contact_search: contacts that part a run of depths do not overlap, an
         }
     }
     CHECK(flange_end < corner_end);
+    // one round the gauge corner stays one
+    CHECK(under(3.6e5, s1002_on_uic60(), {.lateral = 6.17e-3, .roll = -0.9e-3, .yaw = -22e-3}).patches.size() == 1);
 }
 
 TEST_CASE("contact_search: parts of one run of depths displace each other with interaction off, as one region",

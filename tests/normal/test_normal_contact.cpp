@@ -196,6 +196,9 @@ TEST_CASE("normal_contact: any load and any gap has numbers with status ok, or n
             CHECK(scene.normal.carry(scene.grid, round, 1, 1e-6, true).status == Status::ok);
         }
     }
+    CHECK(scene.normal.carry(scene.grid, round, 0).status == Status::no_contact);
+    CHECK(scene.normal.carry(scene.grid, round, NAN).status == Status::not_finite);
+    CHECK(scene.normal.approach(scene.grid, round + 1, 0.9).status == Status::no_contact);
     const bool solvable = detail::all_finite(scene.h);
     CHECK(scene.normal.carry(scene.grid, scene.h, 1).status == (solvable ? Status::ok : Status::not_finite));
 }

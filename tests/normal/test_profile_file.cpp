@@ -82,7 +82,7 @@ double farthest(const Profile& one, const Profile& other) {
     return std::sqrt(((one.y() - other.y()).square() + (one.z() - other.z()).square()).maxCoeff());
 }
 
-/// Whether a profile has the four points (0, 0), (3, 1), (6, 1) and (9, 0) mm.
+/// Checks that a profile has the four points (0, 0), (3, 1), (6, 1) and (9, 0) mm.
 void require_trapezium(const Profile& profile) {
     REQUIRE(profile.size() == 4);
     CHECK((profile.y() - Eigen::ArrayXd{{0, 3e-3, 6e-3, 9e-3}}).abs().maxCoeff() < 1e-15);

@@ -139,7 +139,7 @@ TEST_CASE("Sizes of flanges and heads", "[profile]") {
     CHECK(std::isnan(rail_wear(rail, rail, 0.1).side));
 }
 
-/// Whether a worn S1002, moved by these, comes back within `most` [m], and the motion that is found.
+/// Checks that a worn S1002, moved by these, comes back within `most` [m], and returns the motion that is found.
 Profile::Alignment check_return(const Profile& hollow, double angle, double dy, double dz, double most) {
     const Profile moved = hollow.moved(angle, dy, dz);
     const Profile::Alignment found = align(moved, s1002(), unworn_parts(s1002(), Use::wheel), angle != 0);

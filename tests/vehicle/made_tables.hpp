@@ -1,4 +1,4 @@
-// The tables that the apps ship, of creep forces of steel and of contacts of S1002 on 60E1, and what these stand for.
+// The tables that the apps ship: creep forces of steel, and contacts of S1002 on 60E1, whose wheelset is here, too.
 #pragma once
 
 #include <rollbem/normal/profile.hpp>

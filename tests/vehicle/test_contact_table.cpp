@@ -133,19 +133,24 @@ TEST_CASE("what forces on both wheels take from the motion becomes heat", "[cont
 TEST_CASE("forces have no steps where the load goes over to another point of contact", "[contact_table]") {
     // S1002 on 60E1 from the tread to the flange: within a micrometre forces change by at most their steepest slope
     double most_angle = 0;
+    bool share = false;
     WheelForces last = wheel_forces(rolling(0));
     for (int k = 1; k <= 7000; ++k) {
         const WheelForces at = wheel_forces(rolling(1e-6 * k));
         REQUIRE(at.status == Status::ok);
+        int carrying = 0;
         for (const WheelForces::Point& point : at.points) {
             if (point.load_share > 0.5) most_angle = std::max(most_angle, -point.angle);
+            carrying += point.load_share > 0.2 ? 1 : 0;
         }
+        share = share || carrying == 2;
         const double step = (at.force - last.force).norm();
         const double slope = std::max(at.tangent.col(0).norm(), last.tangent.col(0).norm());
         INFO("at " << 1e-3 * k << " mm: step " << step << " N, slope " << slope << " N/m");
         REQUIRE(step <= 2e-6 * slope + 30);
         last = at;
     }
+    REQUIRE(share);
     REQUIRE(most_angle > 1.0);  // another zone carries
 }
 
@@ -452,11 +457,12 @@ TEST_CASE("wheels without load, friction or motion, and wrong tables", "[contact
     const WheelForces lifted = wheel_forces(x);
     CHECK(lifted.status == Status::ok);
     CHECK(lifted.force.isZero(0));
-    x = rolling(1e-3);
-    for (const double coefficient : {0.0, 1e-300, 1e-200, 1e-20}) {
-        x[9] = coefficient;
+    laws::Draw draw(12);
+    for (int scene = 0; scene < 80; ++scene) {
+        x = laws::draw_wheel(draw, false);
+        x[9] = std::array{0.0, 1e-300, 1e-200, 1e-20}[std::size_t(scene) % 4];
         const WheelForces slides = wheel_forces(x);
-        CAPTURE(coefficient, name(slides.status));
+        CAPTURE(x.transpose(), name(slides.status));
         REQUIRE(slides.status == Status::ok);
         CHECK(std::abs(slides.force[0]) <= 1e-12 * x[8]);
         CHECK(slides.force[2] == Approx(-x[8]));

@@ -128,6 +128,10 @@ TEST_CASE("creep_force_table: no creepage, no force, and tangents of the linear 
         expected << c.c11, 0, 0, 0, c.c22, length * c.c23, 0, length * c.c32, length * length * c.c33;
         expected *= -modulus * length * length;
         CHECK(((numbers(rest).middleCols<3>(1) - expected).abs() <= 1e-6 * expected.abs()).all());
+        const Creepage v = creepage(patch, 1e-6, -2e-6, 3e-6);
+        const Eigen::Array3d linear = expected.matrix() * Eigen::Vector3d(v.longitudinal, v.lateral, v.spin);
+        CHECK((array(table.look_up(patch, mu, load, v).force) - linear).abs().maxCoeff() <
+              1e-4 * linear.abs().maxCoeff());
     }
 }
 

@@ -142,7 +142,9 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
         const auto contacts = WheelsetOnTrack(wheel).solve({.lateral = lateral}, {1e5, 1e5}, workspace);
         const RailPatch& patch = contacts.wheels[1].patches.at(0);
         REQUIRE(patch.has_numbers());
-        for (double s = patch.outline->low(); s < patch.outline->high(); s += patch.half_width / 5) {
+        for (Eigen::Index row = 0; row < patch.grid.ny; ++row) {
+            const double s = patch.grid.y(row);
+            if (s < patch.outline->low() || s > patch.outline->high()) continue;
             // from the place in the plane down to the profile along its normal
             double along = patch.rail_s + s;
             for (int k = 0; k < 20; ++k) {
@@ -153,7 +155,9 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
             }
             const RailSurface::Point rail = wheel.geometry().rail_at(along, 0);
             CHECK_THAT(patch.surface_y(s) - patch.rail_y, WithinAbs(rail.y - patch.y, 2e-5));
-            CHECK_THAT(patch.surface_angle(s), WithinAbs(std::atan2(rail.slope[1], rail.slope[0]), 0.02));
+            const double angle = std::atan2(rail.slope[1], rail.slope[0]);
+            CHECK_THAT(patch.surface_angle(s), WithinAbs(angle, 0.02));
+            CHECK_THAT(patch.angle + std::atan(patch.rail_slope[row]), WithinAbs(angle, 1e-6));
         }
     }
 }

@@ -199,6 +199,11 @@ TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]
         const WheelsetForces given = rolling_forces(wheelset(), rolling, friction, workspace);
         CHECK(std::abs(given.on_wheelset.force[0] - 2e4) < 2);
     }
+    const WheelsetForces carried = rolling_forces(
+        wheelset(), {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 2e4}, friction, workspace);
+    REQUIRE(carried.contacts.status == Status::ok);
+    CHECK(std::abs(carried.on_wheelset.force[0] - 2e4) < 1);
+    for (const WheelsetForces::Wrench& wheel : carried.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
     const WheelsetForces beyond = rolling_forces(
         wheelset(), {.position = at, .free = WheelsetOnTrack::Free::nothing, .speeds = {.forward = 20}, .force = 7e4},
         friction, workspace);
