@@ -86,9 +86,9 @@ TEST_CASE("The spectrum of a good scheme converges to the exact one", "[stabilit
          {std::complex<double>(-0.17302005735, 0), {-1.46935559502, 2.98100869072}, {-1.80867424789, 6.17549758306}}) {
         const double coarse = error(of_100, exact), fine = error(of_200, exact);
         CAPTURE(exact, coarse, fine);
-        CHECK(fine < 4e-4);
-        CHECK(fine > 4e-7);
-        CHECK(std::abs(coarse / fine - 4) < 0.5);  // second order
+        CHECK(fine < 3e-4);
+        CHECK(fine > 1e-6);
+        CHECK(std::abs(coarse / fine - 4) < 0.4);  // second order
     }
 }
 

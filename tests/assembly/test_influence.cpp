@@ -171,7 +171,7 @@ struct MinimalKernel {
 static_assert(LineKernel<MinimalKernel> && LineKernel<PlaneKernel<double>> && LineKernel<StripKernel<long double>>);
 
 TEST_CASE(
-    "A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times, steady or not",
+    "A kernel needs only its logarithm and a smooth part, which one assembly on a wide strip evaluates a few times",
     "[influence]") {
     for (const double b : {0.1, 1.0, 20.0}) {
         for (const Eigen::Index n : {3, 20}) {

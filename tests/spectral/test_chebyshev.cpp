@@ -13,6 +13,7 @@
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/exact_traction.hpp"
 #include "support/observed_order.hpp"
 #include "support/strip_instances.hpp"
@@ -115,6 +116,18 @@ TEST_CASE("Eigenvalues of Chebyshev states converge to the exact ones and are st
             CAPTURE(m, wide, found.spectral_abscissa, found.uncertain_count);
             CHECK(found.stable());
         }
+    }
+}
+
+TEST_CASE("The system of states is well-conditioned, and its slopes are the displacements of its rates",
+          "[chebyshev]") {
+    for (const Eigen::Index m : {1, 2, 12, 64}) {
+        const Chebyshev::System<double> system = rolling_system(Chebyshev{m}, plane);
+        const MatrixX<double> inverse = dense::solve(system.G(), MatrixX<double>::Identity(m, m));
+        const double condition = dense::largest_singular_value(system.G()) * dense::largest_singular_value(inverse);
+        CHECK(condition == Approx(m == 1 ? 1 : std::numbers::sqrt2).epsilon(1e-12));
+        CHECK((dense::product(system.G(), system.rates()) - system.G_prime()).cwiseAbs().maxCoeff() <
+              1e-13 * system.G_prime().cwiseAbs().maxCoeff());
     }
 }
 
