@@ -240,8 +240,7 @@ TEST_CASE("patch_friction: needles have forces where full adhesion has right one
         const FrictionModel model(contact, steady_system(mesh, chebyshev, HalfSpace<double>(nu)), {mu, pressure});
         CHECK(is_dissipative(detail::joined(assemble_G_prime(mesh, chebyshev, HalfSpace<double>(nu))),
                              patch_elements(mesh, chebyshev).areas) == (n == 16));
-        const FrictionStep step =
-            solve(model, {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c});
+        const FrictionStep step = solve(model, {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c});
         REQUIRE(step.status == Status::ok);
         forces.push_back(step.force);
     }
