@@ -137,8 +137,7 @@ TEST_CASE("Forces on a fixed mesh converge to the same limit at first order", "[
 TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[friction][load]") {
     const double b = 0.4, along = 4 * b * std::exp(load_nu / (1 - load_nu)), across = 4 * b * std::exp(-load_nu);
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
-    const ElementSystem<double> lateral =
-        rolling_system(scene.mesh, half, PlaneKernel<double>::lateral(scene.contact));
+    const ElementSystem<double> lateral = rolling_system(scene.mesh, half, PlaneKernel<double>::lateral(scene.contact));
     const auto check = [&](const FrictionModel& model, double limit, const Creepage& creepage) {
         Run run(model);
         NormalLoad load = scene.hertz.at(full_force);

@@ -363,8 +363,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     run.now().half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
         const NormalLoad load{run.now().normal_pressure, a_0, {}, b};
-        CHECK(run.advance({1e-4, Creepage{1e-3}, load}).status ==
-              (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
+        CHECK(run.advance({1e-4, Creepage{1e-3}, load}).status == (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
     CHECK(run.now().half_width == 2e-3);
 }

@@ -198,7 +198,7 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual);
         REQUIRE(outcome.status == Status::ok);
         REQUIRE(problem.violation(solver.solution.traction()) < 1e-9);
-        REQUIRE(outcome.path_points == 0);  // full sliding is near enough
+        REQUIRE(outcome.path_points == 0);     // full sliding is near enough
         singular += first.sum() == 0 ? 1 : 0;  // equal tractions cause no slip
     }
     CHECK(singular > 1000);

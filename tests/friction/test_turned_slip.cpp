@@ -63,9 +63,7 @@ Scene nodal(Eigen::Index n, double aspect = 1000) {
 }
 
 /// The solution from rest, in a new workspace.
-Step from_scratch(const Model& model, const Creepage& creepage) {
-    return Run(model).steady({.motion = creepage});
-}
+Step from_scratch(const Model& model, const Creepage& creepage) { return Run(model).steady({.motion = creepage}); }
 
 /// Negative forces over mu N.
 Eigen::Array2d ratios(const Step& step, const Contact& contact) {
