@@ -29,7 +29,7 @@ inline Creepage creepage_in(const Numbers& x) { return {x[0], x[1], x[2]}; }
 inline PatchContact contact_in(const Numbers& x) { return PatchContact({x[5], x[6], x[7], 0.28}); }
 
 inline Answer answer_of(const CreepForceTable::Force& at) {
-    const auto all = creep_forces::numbers(at).matrix();
+    const Eigen::Matrix<double, 3, 8> all = creep_forces::numbers(at).matrix();
     return {all.col(0), all.rightCols<7>(), at.status};
 }
 

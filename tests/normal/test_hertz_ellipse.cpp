@@ -91,13 +91,13 @@ TEST_CASE("Equal radii give the circle, and long ellipses the line contact", "[h
     CHECK(relative(circle.approach(), circle.half_length() * circle.half_length() / 0.4) < 4 * eps);
     // in its middle a long ellipse is a line contact under the load per width 3 N/(4 b)
     const HertzEllipse needle = crossed(0.4, 0.4e9);
-    const HertzLine line({.load_per_width = 3 * 1e5 / (4 * needle.half_width()),
-                          .combined_radius = 0.4,
-                          .body_1 = steel,
-                          .body_2 = rubber});
+    const HertzLine limit({.load_per_width = 3 * 1e5 / (4 * needle.half_width()),
+                           .combined_radius = 0.4,
+                           .body_1 = steel,
+                           .body_2 = rubber});
     CHECK(needle.half_width() > 1e4 * needle.half_length());
-    CHECK(relative(line.half_length(), needle.half_length()) < 1e-7);
-    CHECK(relative(line.peak_pressure(), needle.peak_pressure()) < 1e-7);
+    CHECK(relative(limit.half_length(), needle.half_length()) < 1e-7);
+    CHECK(relative(limit.peak_pressure(), needle.peak_pressure()) < 1e-7);
     for (const double ratio : {1e-200, 1e-30, 1e-8, 1e8, 1e30, 1e200}) {
         const HertzEllipse ellipse = crossed(1, ratio);
         CAPTURE(ratio);
