@@ -260,7 +260,7 @@ TEST_CASE("patch_friction: limits of the creepages") {
     const auto model = scene.steady();
 
     Run run(model);
-    const FrictionStep nothing = run.steady({.motion = {}});
+    const FrictionStep nothing = run.steady({.motion = Creepage{}});
     CHECK(nothing.status == Status::ok);
     CHECK(nothing.stick_count == 56);
     CHECK(run.now().traction.isZero(0));
