@@ -45,7 +45,7 @@ inline Numbers draw_wheel(Draw& draw, bool rolls, double largest_shift = 8e-3) {
 inline ForceElement wheel_look_up(bool rolls, const ContactTable::Friction& friction) {
     constexpr double Q = 1e5;
     const Quantity length{1e-4}, slide{0.03, 0, 0, -1}, turn{0.02, 0, 0, -1};
-    steel();  // is read now, not by an answer
+    steel(), s1002_60e1();  // are read now, not by an answer
     ForceElement result{
         .name = rolls ? "a wheel, with a roll" : "a wheel",
         .inputs = {length, length, slide, {0.06, 0, 0, -1}, slide, slide, turn, turn, {Q}, {0.3}, length, {0}},
