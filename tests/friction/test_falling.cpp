@@ -46,6 +46,23 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
     }
 }
 
+TEST_CASE("In steady sliding, a memory fades over the intervals of the equations", "[friction]") {
+    const Setup setup{.falls = true, .distance = 3e-4, .mesh = cosine_mesh<double>(12)};
+    const ElementSystem<double> system =
+        rolling_system(setup.mesh, NodeDifference{Nodes::chebyshev}, setup.kernel(false));
+    const FrictionModel model(setup.contact(), system, unchecked,
+                              {law, setup.pressure(), {setup.distance, least_velocity}});
+    Run run(model);
+    constexpr double creepage = 0.5;  // 200 times that of full sliding: slip is that of rigid bodies
+    REQUIRE(run.steady({Travel::at_speed(speed), Creepage{creepage}}).stick_count == 0);
+    double mu = law.mu_0;
+    for (Eigen::Index i = 11; i >= 0; --i) {
+        mu = law.mu_k + (mu - law.mu_k) / (1 + a * system.elements().intervals[i] * creepage / setup.distance);
+        CAPTURE(i, mu, run.now().friction_coefficient[i], system.elements().intervals[i], system.elements().areas[i]);
+        CHECK(run.now().friction_coefficient[i] == Approx(mu).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("With little memory, the force oscillates at the peak of the creep curve", "[friction]") {
     // a steady solution exists, but a run from rest does not reach it: the force drops within one step, however short,
     // and rises slowly again, with a period that tends to 4.1 or 4.2 from above

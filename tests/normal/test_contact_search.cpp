@@ -825,6 +825,7 @@ TEST_CASE("contact_search: waves between the centres of cells count by the press
     CHECK(times(0.99 * wave) == 1);
     CHECK(times((place / 10 - 1).cube()) == 1);
     CHECK(times(1.01 * (2 * pi * place).sin() * 0.05e9 * compliance * 2 * distance / pi) == 4);
+    for (const double sign : {-1.01, 1.01}) CHECK(times(sign * (place > 9 && place < 10).select(wave, 0)) == 2);
     // none are enough for a kink
     CHECK(times(1e-4 * (place - 9.7).abs()) == parts / 2);
     // waves beside pressures do not count
