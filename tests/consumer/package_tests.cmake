@@ -38,6 +38,7 @@ add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=
 add_test(NAME package.other_alignment
     COMMAND ${CMAKE_COMMAND} --build "${CMAKE_CURRENT_BINARY_DIR}/consumer/compiled" --target other_alignment)
 set_tests_properties(package.compiled PROPERTIES FIXTURES_SETUP rollbem_compiled_consumer)
+set_tests_properties(package.own_units package.compiled PROPERTIES COST 5)  # the longest start first
 set_tests_properties(package.other_alignment PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_compiled_consumer
     PASS_REGULAR_EXPRESSION "rollbem_compiled_0_4_is_missing_or_has_another_eigen_alignment_use_the_same_m_flags<128")
 add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})
