@@ -10,6 +10,7 @@
 
 #include "support/catch.hpp"
 
+namespace hertz_tests {
 namespace {
 
 using namespace rollbem;
@@ -193,3 +194,4 @@ TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]
 }
 
 }  // namespace
+}  // namespace hertz_tests

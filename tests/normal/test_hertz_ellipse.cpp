@@ -15,6 +15,7 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
+namespace hertz_ellipse_tests {
 namespace {
 
 using namespace rollbem;
@@ -264,3 +265,4 @@ TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
 }
 
 }  // namespace
+}  // namespace hertz_ellipse_tests
