@@ -77,5 +77,23 @@ TEST_CASE("What needs G refuses a system without it", "[friction]") {
     CHECK_THROWS_WITH(both_directions<double>(along, across), ContainsSubstring("number of rows of G = 0"));
 }
 
+TEST_CASE("Models with the same G' share states, but no factors", "[friction]") {
+    const Setup setup;
+    const ElementSystem<double> own = setup.system(false);
+    const auto model_of = [&](double factor) {
+        const ElementSystem<double> system(factor * own.G(), own.G_prime(), own.weights());
+        return FrictionModel(setup.contact(), system, unchecked, {setup.constant, setup.pressure()});
+    };
+    const FrictionModel soft = model_of(1.5), stiff = model_of(0.5);
+    REQUIRE(soft.fingerprint() == stiff.fingerprint());
+    const RollingStep rolling{Ride::travel(0.1), creepage(0.3)};
+    Workspace used = soft.workspace(), fresh = soft.workspace();
+    State next = soft.at_rest();
+    const Step other = soft.advance(soft.at_rest(), rolling, next, used);
+    const Step step = stiff.advance(soft.at_rest(), rolling, next, used);
+    CHECK(same(step, stiff.advance(soft.at_rest(), rolling, next, fresh)));
+    CHECK_FALSE(same(ratios(step), ratios(other)));
+}
+
 }  // namespace
 }  // namespace any_model
