@@ -18,6 +18,7 @@ good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5 --trac
 columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status
 columns=$columns,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio
 grep -q "^$columns,.*nodes" t || fail "columns: $(head -n 1 t)"
+grep -q '^# command_line = .* --creepage-ratio 0.5 --tractions t$' t.toml || fail 'companion of the tractions'
 rows 'NR > 1 && $alpha_L == 0.5 && $alpha_T == 0.5 && $status == "ok" && $traction < 0 && $slip >= 0 &&
         -$traction <= $bound * (1 + 1e-12) && ($stick == 1) == ($slip == 0) && ($stick == 1 || -$traction == $bound) &&
         ($traction - $exact) ^ 2 < 0.2 ^ 2 { trusted += 1 }

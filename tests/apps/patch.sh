@@ -30,8 +30,17 @@ check 'a table of pressures' '$status == "ok" &&
     (NR > 2 || (F = $longitudinal_force) + (Q = $lateral_force) + (M = $spin_moment) > 0) &&
     ($longitudinal_force / F - 1) ^ 2 + ($lateral_force / Q - 1) ^ 2 + ($spin_moment / M - 1) ^ 2 < 1e-6'
 
-# --- the force under a load that comes to rest is that of its last ellipse: a b is larger by 1.125, which the creepages
-# and c are measured in
+# --- under a load: eight times the load on twice the ellipse at half the creepage is the same
+set -- $patch --n 6 --a-over-b 0.5 --spin 0.2 --transient
+"$@" --lateral 0.1 --dq 0.1 --until 2 >constant
+printf 'load_ratio;q_over_a\n8;0\n8;4\n' >load
+"$@" --lateral 0.2 --dq 0.2 --until 4 --load load >out
+check 'semi-axes' '$a_ratio == 2 && $b_ratio == 2'
+rows 'NR == FNR { Q[FNR] = $lateral_force; M[FNR] = $spin_moment; next }
+    FNR > 1 { same += ($lateral_force / 8 / Q[FNR] - 1) ^ 2 < 1e-20 && ($spin_moment / 16 / M[FNR] - 1) ^ 2 < 1e-20 }
+    END { exit same != 20 }' constant out || fail 'scaling of the load'
+# the force under a load that comes to rest is that of its last ellipse: a b is larger by 1.125, which the creepages and
+# c are measured in
 printf 'q_over_a,load_ratio,a_ratio,b_ratio\n0,1,1,1\n4,1,1.5,0.75\n20,1,1.5,0.75\n' >load
 set -- $patch --n 6 --transient --from steady
 "$@" --lateral 0.1 --spin 0.2 --dq 0.2 --until 20 --load load --breathing >out

@@ -55,6 +55,11 @@ spread() { awk -v from="$1" -v by="$2" -v count="$3" 'BEGIN {
     "$precision" --quantity friction $word --creepage-ratio 0.3 >out
     largest creepage_ratio "$programs/friction_study" $word --creepage-ratio 0.3
 }
+# a border of stick in the middle of both meshes passes for precision at one creepage alone
+"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing >out
+set_error=$(rows 'END { print sqrt($relative_error ^ 2) }' out)
+"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing --creepage-ratio 0.5 >out
+check 'a lucky creepage' "$set_error > 100 * sqrt(\$relative_error ^ 2) && \$worst_at == \"creepage_ratio=0.5\""
 
 # --- shards add up to the whole, but for times and the front; --front leaves the whole as it is, and fills the columns
 # of shards; the cheapest schemes

@@ -39,8 +39,9 @@ Step varied(Ride& ride, const Setup& setup, int k, double degrees, double turnin
     }
 }
 
-/// Forces, tractions, slip, heat, energy and, unless turned, tangents along the creepages of 60 steps are those of another setup, turned by `turned` degrees as the
-/// creepages are, which lie at `degrees` and turn by `turning` from step to step.
+/// Forces, tractions, slip, heat, energy and, unless turned, tangents along the creepages of 60 steps are those of
+/// another setup, turned by `turned` degrees as the creepages are, which lie at `degrees` and turn by `turning` from
+/// step to step.
 void agree(const Setup& setup, const Setup& other, double tolerance, double degrees, double turning,
            double turned = 0) {
     INFO(words(setup));

@@ -79,7 +79,8 @@ inline ForceElement ellipse_along_rolling() {
             .symmetries = {{"the other turn", "++-", "++"}}};
 }
 
-/// Semi-axes, of about `axis`, and pressures of a mesh by the load, from `least` to 1.4 times N; `beyond` times N is refused.
+/// Semi-axes, of about `axis`, and pressures of a mesh by the load, from `least` to 1.4 times N; `beyond` times N is
+/// refused.
 template <class Load>
 ForceElement hertz_load_on(const char* name, const Load& mesh, double axis, double N, double least, double beyond) {
     const auto hertz = std::make_shared<const Load>(mesh);
