@@ -82,6 +82,17 @@ TEST_CASE("The strips of a patch with two lobes are less than a third of the nar
     CHECK(elements_for(patch).along == 12);
 }
 
+TEST_CASE("Elements that are not given are those that the lobes of the patch need", "[profiles]") {
+    const Scene scene(4.95e-3);
+    const PatchElements needed = elements_for(scene.patch);
+    REQUIRE(needed.strips > 13);  // those of one lobe
+    const auto force = [&](const RollingFriction& friction) {
+        return patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction).force.lateral;
+    };
+    CHECK(force({}) == force({.elements = needed.along, .strips = needed.strips}));
+    CHECK(force({}) != force({.strips = 13}));
+}
+
 TEST_CASE("At the gauge corner each strip has the friction of the rail's surface below it", "[profiles]") {
     const Scene scene;
     const RollingFriction friction{
